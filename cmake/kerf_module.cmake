@@ -1,0 +1,32 @@
+# kerf_module(NAME [DEPENDS name...] [LIBRARIES target...])
+#
+# One folder of src/ as one static library kerf_NAME made of the folder's .cpp files (found below it too). DEPENDS
+# names the kerf folders it may include from, LIBRARIES the outside packages.
+add_library(kerf_options INTERFACE)
+target_compile_options(kerf_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
+target_include_directories(kerf_options INTERFACE ${PROJECT_SOURCE_DIR}/src)
+if(KERF_SANITIZE)
+  target_compile_options(kerf_options INTERFACE
+    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(kerf_options INTERFACE -fsanitize=address,undefined)
+endif()
+if(KERF_FUZZ)
+  target_compile_options(kerf_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+
+function(kerf_module name)
+  cmake_parse_arguments(ARG "" "" "DEPENDS;LIBRARIES" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  if(sources)
+    add_library(kerf_${name} STATIC ${sources})
+    set(scope PUBLIC)
+  else()
+    add_library(kerf_${name} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  target_link_libraries(kerf_${name} ${scope} kerf_options ${ARG_LIBRARIES})
+  foreach(other IN LISTS ARG_DEPENDS)
+    target_link_libraries(kerf_${name} ${scope} kerf_${other})
+  endforeach()
+endfunction()
