@@ -1,0 +1,39 @@
+#pragma once
+// Words and blocks: the smallest parts of an NC program in the word-address format of ISO 6983 / JIS B 6315.
+
+#include <cstdint>
+
+#include "base/fixed_vector.hpp"
+#include "base/source_span.hpp"
+
+namespace kerf {
+
+/// The number of a word exactly as it is written; what it means is the dialect's business.
+struct Decimal {
+  std::int64_t digits = 0;    ///< all digits as an integer with the sign, the point left out
+  std::uint8_t decimals = 0;  ///< how many of the digits stand behind the point
+  bool has_point = false;
+  bool overflow = false;  ///< more than 18 significant digits in front of the point
+};
+
+/// An address letter and a number.
+struct Word {
+  char address = 0;  ///< upper case
+  Decimal number;
+  std::uint32_t column = 0;  ///< of the address, from 1
+  std::uint32_t length = 0;  ///< bytes, address included
+};
+
+/// All words between two ends of block.
+struct Block {
+  static constexpr std::size_t kMaxWords = 128;
+  SourceSpan span;         ///< from the first character of the line to its last, line end excluded
+  bool skip_mark = false;  ///< a slash stands in front
+  FixedVector<Word, kMaxWords> words;
+};
+
+inline SourceSpan span_of(const Block& block, const Word& word) {
+  return {block.span.offset + word.column - 1, block.span.line, word.column, word.length};
+}
+
+}  // namespace kerf
