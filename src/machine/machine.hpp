@@ -1,0 +1,58 @@
+#pragma once
+// The machine as the stages below the interpreter see it: plain numbers, already validated.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/axis.hpp"
+
+namespace kerf {
+
+enum class AxisType : std::uint8_t { linear, rotary };
+
+/// One axis. Lengths in mm (degrees when rotary), speeds per minute, accelerations per second squared.
+struct AxisSettings {
+  std::int32_t number = 0;  ///< servo axis number
+  AxisType type = AxisType::linear;
+  double lower_limit = -9999.9999;  ///< machine coordinate
+  double upper_limit = 9999.9999;
+  double rapid = 6000.0;        ///< mm/min or degree/min
+  double max_feed = 6000.0;     ///< mm/min or degree/min
+  double acceleration = 500.0;  ///< mm/s2 or degree/s2
+  double jerk = 5000.0;         ///< mm/s3 or degree/s3
+  double home = 0.0;            ///< machine coordinate of the reference point
+  double start = 0.0;           ///< machine coordinate where the axis stands when the program starts
+};
+
+/// One tool or compensation number.
+struct Tool {
+  std::int32_t number = 0;
+  double radius = 0.0;  ///< mm
+  double length = 0.0;  ///< mm
+};
+
+/// Settings of the motion stages.
+struct MotionSettings {
+  std::string law = "controller";    ///< controller | optimal
+  double junction_deviation = 0.01;  ///< mm; 0: every corner is an exact stop
+  double servo_gain = 60.0;          ///< 1/s, position loop of the simulated drives
+  std::int32_t look_ahead = 1024;    ///< blocks
+};
+
+inline constexpr std::size_t kWorkOffsetCount = 7;  ///< EXT, then G54 to G59
+
+struct Machine {
+  std::string name;
+  double cycle_s = 0.001;  ///< control cycle, seconds
+  AxisSet axes;
+  std::array<AxisSettings, kAxisCount> axis;  ///< only those in `axes` count
+  std::array<AxisVector, kWorkOffsetCount> work_offsets;
+  std::vector<Tool> tools;  ///< ascending by number
+  MotionSettings motion;
+
+  const AxisSettings& operator[](Axis a) const { return axis[index(a)]; }
+};
+
+}  // namespace kerf
