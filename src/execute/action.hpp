@@ -1,0 +1,125 @@
+#pragma once
+// What the interpreter gives: a dialect-free list of machine verbs, as values. Toolpath passes rewrite them,
+// the planner times them, the reports print them.
+
+#include <array>
+#include <cstdint>
+#include <variant>
+
+#include "base/alarm.hpp"
+#include "base/axis.hpp"
+#include "base/fixed_vector.hpp"
+#include "base/source_span.hpp"
+
+namespace kerf {
+
+/// Where an action came from. A value of 0 in `sequence_number` is a legal N0; `has_sequence_number` tells.
+struct Origin {
+  SourceSpan span;                    ///< the block
+  std::uint32_t block = 0;            ///< executed blocks with content since the start, counted from 1
+  std::int32_t program = -1;          ///< program number; -1: none
+  std::int32_t sequence_number = -1;  ///< sequence number in force; -1: none
+};
+
+enum class MoveMode : std::uint8_t { rapid, linear, clockwise, counterclockwise };
+
+constexpr bool is_arc(MoveMode mode) {
+  return mode == MoveMode::clockwise || mode == MoveMode::counterclockwise;
+}
+
+/// A plane for arcs: third points to the viewer when first x second is right-handed (X-Y-Z, Z-X-Y, Y-Z-X).
+struct Plane {
+  Axis first = Axis::X;
+  Axis second = Axis::Y;
+  Axis third = Axis::Z;
+  friend constexpr bool operator==(const Plane&, const Plane&) = default;
+};
+
+inline constexpr Plane kPlaneXY{Axis::X, Axis::Y, Axis::Z};
+inline constexpr Plane kPlaneZX{Axis::Z, Axis::X, Axis::Y};
+inline constexpr Plane kPlaneYZ{Axis::Y, Axis::Z, Axis::X};
+
+/// An arc in a plane; every other axis moves linearly with the angle (helix).
+struct Arc {
+  std::array<double, 2> center{};  ///< machine coordinates of plane.first and plane.second, mm
+  double radius = 0.0;             ///< mm, > 0
+  double sweep = 0.0;              ///< degrees, positive counter-clockwise seen from +third; may exceed 360
+};
+
+/// Side of the programmed path on which the tool runs, looking in the direction of travel.
+enum class Side : std::uint8_t { none, left, right };
+
+/// Tool radius compensation as the block commands it; the compensation pass acts on it.
+struct RadiusCompensation {
+  Side side = Side::none;
+  double amount = 0.0;  ///< mm; a negative amount exchanges the sides
+};
+
+/// Feed of a rotary axis by the peripheral speed at a radius (DGSHAPE 1-4, 2-5): rate = feed / radius. With
+/// radius 0 or at_maximum the rotary axis turns at its own maximum rate.
+struct RotaryFeed {
+  bool active = false;
+  bool at_maximum = false;
+  Axis axis = Axis::A;
+  double radius = 0.0;  ///< mm
+};
+
+struct Move {
+  MoveMode mode = MoveMode::rapid;
+  bool axis_words = true;  ///< the block names an axis of the plane, even when the distance is zero
+  Plane plane = kPlaneXY;
+  RadiusCompensation compensation;
+  RotaryFeed rotary_feed;
+  AxisVector start;        ///< machine coordinates; where the tool reference point really is
+  AxisVector end;          ///< machine coordinates
+  AxisVector commanded;    ///< end in the workpiece coordinate system, before tool compensations
+  AxisVector work_origin;  ///< machine coordinates of the workpiece origin the block was written in
+  double feed = 0.0;       ///< programmed mm/min, before override; unused for rapid
+  Arc arc;                 ///< only when is_arc(mode)
+};
+
+/// Corner arc of the tool radius compensation (G39): turn on the spot to the direction of the next move.
+/// Consumed by the compensation pass.
+struct CornerArc {
+  std::array<double, 2> direction{};  ///< in the compensation plane, any length; {0, 0}: take the next move's
+  double feed = 0.0;                  ///< mm/min
+};
+
+struct Dwell {
+  double seconds = 0.0;
+};
+
+/// An M code that is handed to the machine as it is.
+struct Auxiliary {
+  std::int32_t code = 0;
+};
+
+enum class SpindleDirection : std::uint8_t { off, clockwise, counterclockwise, orient };
+
+struct Spindle {
+  SpindleDirection direction = SpindleDirection::off;
+  double rpm = 0.0;      ///< effective speed after limits and override; 0 when off
+  double seconds = 0.0;  ///< time the program waits for the speed
+};
+
+struct ToolChange {
+  std::int32_t number = 0;  ///< 0: the tool is put back
+  double seconds = 0.0;
+};
+
+struct Stop {
+  bool optional = false;
+};
+
+struct End {};
+
+using ActionVariant = std::variant<Move, CornerArc, Dwell, Auxiliary, Spindle, ToolChange, Stop, End, Alarm>;
+
+/// One step of the executed program. An Alarm of severity warning does not stop the program; any other is the
+/// last action unless the interpreter is told to recover.
+struct Action {
+  Origin origin;
+  ActionVariant what;
+};
+
+}  // namespace kerf

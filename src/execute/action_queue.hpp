@@ -1,0 +1,42 @@
+#pragma once
+// Actions on their way from a block to the interpreter's caller.
+
+#include "base/fixed_queue.hpp"
+#include "execute/action.hpp"
+
+namespace kerf {
+
+/// Holds what one block, or one step of a fixed cycle, gives.
+class ActionQueue {
+ public:
+  static constexpr std::size_t kCapacity = 32;
+
+  void begin(const Origin& origin) {
+    origin_ = origin;
+    mark_ = actions_.size();
+  }
+  /// Takes back what was pushed since begin(): the block raised an alarm.
+  void roll_back() {
+    while (actions_.size() > mark_) actions_.drop_back();
+  }
+  template <class T>
+  T& push() {
+    Action& action = actions_.push();
+    action.origin = origin_;
+    return action.what.template emplace<T>();
+  }
+  const Origin& origin() const { return origin_; }
+  std::size_t pushed() const { return actions_.size() - mark_; }
+
+  Action& last() { return actions_.back(); }
+  bool empty() const { return actions_.empty(); }
+  const Action& pop() { return actions_.pop(); }
+  void clear() { actions_.clear(); }
+
+ private:
+  FixedQueue<Action, kCapacity> actions_;
+  Origin origin_;
+  std::size_t mark_ = 0;
+};
+
+}  // namespace kerf

@@ -1,0 +1,39 @@
+#pragma once
+// What a dialect adds to the interpreter: how one block acts on the state.
+
+#include "execute/action_queue.hpp"
+#include "execute/drilling_cycle.hpp"
+#include "execute/state.hpp"
+#include "syntax/block.hpp"
+#include "syntax/block_reader.hpp"
+
+namespace kerf {
+
+/// What became of a block.
+enum class BlockOutcome : std::uint8_t {
+  done,
+  alarm,  ///< the block changed nothing; the alarm is the only action it gave
+  ended,  ///< the program is over
+};
+
+/// Immutable once made, so that copies of an interpreter can share it.
+class BlockRules {
+ public:
+  virtual ~BlockRules() = default;
+
+  /// Tables and registers before the first program, from the machine file.
+  virtual State initial_state() const = 0;
+  /// What the start of a program resets.
+  virtual void begin_program(State& state) const = 0;
+  /// Acts on one block. `origin` has the block's place; the rules add program and sequence number.
+  virtual BlockOutcome execute(const Block& block, const Origin& origin, State& state, ActionQueue& queue,
+                               DrillingCycle& cycle) const = 0;
+  /// The text ended without an end-of-program word.
+  virtual void end_of_data(const Origin& origin, State& state, ActionQueue& queue) const = 0;
+  /// The alarm for text that is no block.
+  virtual Alarm syntax_alarm(SyntaxFault fault, const SourceSpan& span) const = 0;
+  /// Machine coordinates of the origin of the workpiece coordinate system in force.
+  virtual AxisVector work_origin(const State& state) const = 0;
+};
+
+}  // namespace kerf

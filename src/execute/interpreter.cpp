@@ -1,0 +1,69 @@
+#include "execute/interpreter.hpp"
+
+#include <utility>
+
+namespace kerf {
+
+Interpreter::Interpreter(std::shared_ptr<const BlockRules> rules, std::shared_ptr<const Source> source,
+                         InterpreterOptions options)
+    : rules_(std::move(rules)),
+      reader_(std::move(source)),
+      options_(options),
+      state_(rules_->initial_state()) {
+  rules_->begin_program(state_);
+}
+
+void Interpreter::load(std::shared_ptr<const Source> source, const AxisVector& position) {
+  reader_ = BlockReader(std::move(source));
+  queue_.clear();
+  cycle_ = {};
+  blocks_ = 0;
+  finished_ = stopped_ = false;
+  state_.registers.position = position;
+  state_.registers.length_offset = state_.registers.length_applied = 0.0;
+  rules_->begin_program(state_);
+}
+
+const Action* Interpreter::next() {
+  for (;;) {
+    if (!queue_.empty()) {
+      const Action& action = queue_.pop();
+      const auto* alarm = std::get_if<Alarm>(&action.what);
+      if (alarm != nullptr && alarm->kind->severity == Severity::alarm) stopped_ = true;
+      return &action;
+    }
+    if (stopped_) return nullptr;
+    if (cycle_.running()) {
+      cycle_.step(state_.registers, rules_->work_origin(state_), queue_);
+    } else if (finished_) {
+      return nullptr;
+    } else {
+      read_block();
+    }
+  }
+}
+
+void Interpreter::read_block() {
+  switch (reader_.next(block_, options_.block_skip)) {
+    case BlockReader::Result::block: {
+      Origin origin{block_.span, ++blocks_, -1, -1};
+      if (rules_->execute(block_, origin, state_, queue_, cycle_) == BlockOutcome::ended) finished_ = true;
+      break;
+    }
+    case BlockReader::Result::fault: {
+      Origin origin{reader_.fault_span(), blocks_, state_.registers.program,
+                    state_.registers.sequence_number};
+      queue_.begin(origin);
+      queue_.push<Alarm>() = rules_->syntax_alarm(reader_.fault(), reader_.fault_span());
+      break;
+    }
+    case BlockReader::Result::end: {
+      const SourceSpan place{reader_.source()->text().size(), reader_.line(), 1, 0};
+      rules_->end_of_data({place, blocks_, -1, -1}, state_, queue_);
+      finished_ = true;
+      break;
+    }
+  }
+}
+
+}  // namespace kerf

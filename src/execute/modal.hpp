@@ -1,0 +1,43 @@
+#pragma once
+// Modal groups and the codes in force.
+
+#include <array>
+#include <cstdint>
+
+namespace kerf {
+
+/// The groups of G codes over all dialects; a dialect uses those it has.
+enum class Group : std::uint8_t {
+  one_shot,  ///< acts in its own block only
+  motion,
+  plane,
+  unit,
+  distance,
+  radius_compensation,
+  length_compensation,
+  scaling,
+  work_system,
+  fixed_cycle,
+  return_level,
+};
+
+inline constexpr std::size_t kGroupCount = 11;
+
+/// Ten times the number of a code, so that G40.1 is 401.
+using CodeNumber = std::uint16_t;
+
+constexpr CodeNumber code(int whole, int tenth = 0) {
+  return static_cast<CodeNumber>(whole * 10 + tenth);
+}
+
+/// The G code in force in each group.
+class ModalState {
+ public:
+  CodeNumber operator[](Group group) const { return codes_[static_cast<std::size_t>(group)]; }
+  void set(Group group, CodeNumber number) { codes_[static_cast<std::size_t>(group)] = number; }
+
+ private:
+  std::array<CodeNumber, kGroupCount> codes_{};
+};
+
+}  // namespace kerf

@@ -1,0 +1,19 @@
+#pragma once
+// Straight and circular moves out of registers: the one place where a Move is filled in.
+
+#include "execute/action_queue.hpp"
+#include "execute/state.hpp"
+
+namespace kerf {
+
+/// Machine position of the tool reference point for a programmed position.
+inline AxisVector with_length(AxisVector position, double length_offset) {
+  position[Axis::Z] += length_offset;
+  return position;
+}
+
+/// Pushes a straight move to `target` (machine coordinates without length offset) and makes it the position.
+Move& push_straight(MoveMode mode, const AxisVector& target, Registers& registers,
+                    const AxisVector& work_origin, ActionQueue& queue);
+
+}  // namespace kerf

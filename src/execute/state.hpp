@@ -1,0 +1,74 @@
+#pragma once
+// Everything the interpreter remembers between two blocks. Plain values: a copy is a restart point.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/axis.hpp"
+#include "execute/action.hpp"
+#include "execute/modal.hpp"
+#include "machine/machine.hpp"
+
+namespace kerf {
+
+/// Same-scale enlargement about a point of the workpiece coordinate system.
+struct Scaling {
+  double factor = 1.0;
+  AxisVector reference;  ///< workpiece coordinates
+};
+
+/// Words of a fixed cycle that stay until it is cancelled. Levels are machine coordinates without length
+/// offset.
+struct CycleWords {
+  double initial_level = 0.0;
+  double r_level = 0.0;
+  double bottom = 0.0;
+  bool has_r = false;
+  bool has_bottom = false;
+  double peck = 0.0;  ///< mm; 0: none given
+  double dwell_s = 0.0;
+};
+
+/// What a block may change. Small, so that a block works on a copy and the copy replaces the original only
+/// when the whole block proved right: an alarm leaves everything as it was.
+struct Registers {
+  ModalState modal;
+  AxisVector position;  ///< machine coordinates as programmed: before tool radius and length compensation
+  double length_offset = 0.0;   ///< mm, added to Z by the tool length offset in force
+  double length_applied = 0.0;  ///< mm, the part of it that Z has already moved by
+  AxisVector shift;             ///< of all workpiece coordinate systems (G92)
+  Scaling scaling;
+  AxisVector midpoint;    ///< of the reference-point return, machine coordinates
+  AxisSet midpoint_axes;  ///< axes whose midpoint was ever given
+  CycleWords cycle;
+  double feed = 0.0;                ///< programmed mm/min
+  double spindle_rpm = 0.0;         ///< the S register: programmed speed before limits and override
+  std::int32_t tool = 0;            ///< held; 0: none
+  std::int32_t radius_number = -1;  ///< D in force; -1: never given
+  std::int32_t length_number = 0;   ///< H in force
+  double radius_amount = 0.0;       ///< mm, of the D in force
+  std::int32_t program = -1;
+  std::int32_t sequence_number = -1;
+  std::uint32_t outputs = 0;  ///< switched functions, a bit each; which is which is the dialect's business
+  bool feed_given = false;
+  bool spindle_on = false;
+  bool unit_locked = false;  ///< a motion or coordinate setting was executed
+  bool offset_return_pending =
+      false;                    ///< radius compensation was cancelled, the tool is not back on the path yet
+  bool spindle_warned = false;  ///< cutting with the spindle stopped was reported
+};
+
+/// Tables that a program may overwrite.
+struct Tables {
+  std::array<AxisVector, kWorkOffsetCount> work_offsets;  ///< EXT, then G54 to G59
+  std::vector<double> radius;                             ///< mm, by D number; [0] is 0
+  std::vector<double> length;                             ///< mm, by H number; [0] is 0
+};
+
+struct State {
+  Registers registers;
+  Tables tables;
+};
+
+}  // namespace kerf
