@@ -1,0 +1,201 @@
+#include "dialect/dgshape/block_run.hpp"
+
+#include <cmath>
+
+#include "dialect/dgshape/alarms.hpp"
+#include "execute/moves.hpp"
+
+namespace kerf::dgshape {
+namespace {
+
+/// Destinations lie on a grid far finer than any increment, so that sums of increments do not drift apart
+/// from the coordinates they stand for.
+constexpr double kGridPerMm = 1e6;
+
+double on_grid(double value) {
+  return std::nearbyint(value * kGridPerMm) / kGridPerMm;
+}
+
+/// Scaled destinations are rounded to the machine's least increment (DGS-396).
+double to_least_increment(double value) {
+  return std::round(value * 1e4) / 1e4;
+}
+
+}  // namespace
+
+BlockRun::BlockRun(const Rules& rules, const Block& block, const State& state, ActionQueue& queue)
+    : registers(state.registers),
+      rules_(rules),
+      settings_(rules.settings()),
+      block_(block),
+      tables_(state.tables),
+      queue_(queue),
+      reader_(rules.settings(), false) {}
+
+bool BlockRun::run() {
+  Alarm fault;
+  if (!words_.collect(block_, rules_.codes(), fault)) {
+    alarm = fault;
+    return false;
+  }
+  // The unit of the block counts for all its words, also for those that act before the G codes.
+  const CodeNumber unit = words_.has(Group::unit) ? words_[Group::unit] : registers.modal[Group::unit];
+  reader_ = NumberReader(settings_, unit == code(20));
+  offset_was_on_ = offset_on();
+  return numbers() && stand_alone() && feed() && spindle() && auxiliary() && modal() && operation() &&
+         every_word_used();
+}
+
+bool BlockRun::refuse(std::string_view detail, const SourceSpan& where, const FixedText<200>& message,
+                      const FixedText<200>& remedy) {
+  alarm = Alarm{&alarm_kind(detail), where, message, remedy};
+  return false;
+}
+
+void BlockRun::warn(std::string_view detail, const SourceSpan& where) {
+  queue_.push<Alarm>() = {&alarm_kind(detail), where, {}, {}};
+}
+
+bool BlockRun::numbers() {
+  if (words_.has('N')) {
+    const Word& word = words_.word('N');
+    const NumberResult number = NumberReader::integer(word);
+    if (&word != &words_.at(0)) {
+      return refuse("sequence-number", span('N'), "N must be the first word of the block.");
+    }
+    if (number.fault != NumberFault::none || number.value < (settings_.strict ? 1.0 : 0.0)) {
+      return refuse("sequence-number", span('N'));
+    }
+    registers.sequence_number = static_cast<std::int32_t>(number.value);
+    use("N");
+  }
+  if (words_.has('O')) {
+    const NumberResult number = NumberReader::integer(words_.word('O'));
+    if (block_.words.size() != 1) {
+      return refuse("program-number", span('O'), "O must be alone in its block.");
+    }
+    if (number.fault != NumberFault::none || number.value < (settings_.strict ? 1.0 : 0.0)) {
+      return refuse("program-number", span('O'));
+    }
+    if (registers.program >= 0) {
+      return refuse("second-program-number", span('O'),
+                    FixedText<200>::format("The program already has the number O{}.", registers.program));
+    }
+    registers.program = static_cast<std::int32_t>(number.value);
+    use("O");
+  }
+  Origin origin = queue_.origin();
+  origin.program = registers.program;
+  origin.sequence_number = registers.sequence_number;
+  queue_.begin(origin);
+  return true;
+}
+
+bool BlockRun::stand_alone() {
+  const std::size_t others = words_.has('N') ? 2 : 1;
+  for (std::uint8_t i : words_.m_words()) {
+    const Word& word = words_.at(i);
+    const auto number = word.number.digits;
+    const bool alone = number <= 2 || number == 30;
+    if (alone && block_.words.size() > others) {
+      return refuse("stands-alone", span_of(block_, word),
+                    FixedText<200>::format("M{:02} must be alone in its block.", number));
+    }
+  }
+  return true;
+}
+
+bool BlockRun::operation() {
+  if (words_.has(Group::one_shot)) return one_shot();
+  if (registers.modal[Group::fixed_cycle] != code(80)) return length_move() && fixed_cycle();
+  return motion();
+}
+
+bool BlockRun::every_word_used() {
+  const WordMask unused = words_.present() & ~used_;
+  if (unused == 0) return true;
+  for (const Word& word : block_.words) {
+    if (word.address == 'G' || word.address == 'M' || (unused & mask(word.address)) == 0) continue;
+    return refuse("unused-word", span_of(block_, word),
+                  FixedText<200>::format("No code in force in this block takes a word {}.", word.address));
+  }
+  return true;
+}
+
+bool BlockRun::accept(char address, const NumberResult& result, double& value) {
+  value = result.value;
+  switch (result.fault) {
+    case NumberFault::none:
+      return true;
+    case NumberFault::range:
+      return refuse("value-range", span(address));
+    case NumberFault::decimal_point:
+      return refuse("decimal-point", span(address));
+  }
+  return true;
+}
+
+bool BlockRun::read_distance(char address, double& value) {
+  use({&address, 1});
+  return accept(address, reader_.distance(words_.word(address)), value);
+}
+
+bool BlockRun::read_integer(char address, double& value) {
+  use({&address, 1});
+  return accept(address, NumberReader::integer(words_.word(address)), value);
+}
+
+bool BlockRun::axis_value(Axis axis, double& value) {
+  const char address = letter(axis);
+  if (axis != Axis::A) return read_distance(address, value);
+  if (!settings_.rotary_unit || !rules_.machine().axes.contains(Axis::A)) {
+    return refuse("no-rotary-unit", span('A'));
+  }
+  use("A");
+  return accept(address, reader_.angle(words_.word(address)), value);
+}
+
+double BlockRun::scaled_length(double value) const {
+  return scaled() ? to_least_increment(value * registers.scaling.factor) : value;
+}
+
+double BlockRun::destination(Axis axis, double value) const {
+  const bool scales = scaled() && axis != Axis::A;
+  if (incremental()) return on_grid(registers.position[axis] + (scales ? scaled_length(value) : value));
+  if (scales) {
+    const double reference = registers.scaling.reference[axis];
+    value = to_least_increment(reference + registers.scaling.factor * (value - reference));
+  }
+  return on_grid(origin_now()[axis] + value);
+}
+
+bool BlockRun::target_of_words(std::string_view axes, AxisVector& target) {
+  for (char address : axes) {
+    if (!words_.has(address)) continue;
+    const Axis axis = *axis_from_letter(address);
+    double value = 0.0;
+    if (!axis_value(axis, value)) return false;
+    target[axis] = destination(axis, value);
+  }
+  return true;
+}
+
+AxisVector BlockRun::origin_now() const {
+  const auto system = static_cast<std::size_t>(registers.modal[Group::work_system] / 10 - 53);
+  return tables_.work_offsets[0] + tables_.work_offsets[system] + registers.shift;
+}
+
+Move& BlockRun::push_move(MoveMode mode, const AxisVector& target) {
+  Move& move = push_straight(mode, target, registers, origin_now(), queue_);
+  move.axis_words = words_.has('X') || words_.has('Y');
+  if (offset_on()) {
+    const bool left = registers.modal[Group::radius_compensation] == code(41);
+    move.compensation = {left ? Side::left : Side::right, registers.radius_amount};
+  } else if (move.axis_words) {
+    registers.offset_return_pending = false;
+  }
+  registers.unit_locked = true;
+  return move;
+}
+
+}  // namespace kerf::dgshape

@@ -1,0 +1,117 @@
+// Fixed cycles G81, G82, G83, G85, G86, G89 (manual 2-2).
+
+#include <algorithm>
+#include <cmath>
+
+#include "dialect/dgshape/block_run.hpp"
+
+namespace kerf::dgshape {
+namespace {
+
+constexpr WordMask kCycleTriggers = mask_of("XYZR");
+constexpr double kClearance = 1.0;  // mm, the fixed d of G83
+constexpr double kLongestDwell = 3600.0;
+
+bool has_dwell(CodeNumber cycle) {
+  return cycle == code(82) || cycle == code(89);
+}
+
+bool feeds_out(CodeNumber cycle) {
+  return cycle == code(85) || cycle == code(89);
+}
+
+}  // namespace
+
+bool BlockRun::fixed_cycle() {
+  // G51 in the block takes the axis words for its reference point.
+  if (words_.has(Group::scaling) && words_[Group::scaling] == code(51)) return true;
+  if (!cycle_allowed()) return false;
+  std::int32_t repetitions = 1;
+  if (!cycle_words() || !cycle_dwell_and_step() || !cycle_repetitions(repetitions)) return false;
+  if ((words_.present() & kCycleTriggers) == 0) return true;
+  const CodeNumber cycle = registers.modal[Group::fixed_cycle];
+  const CycleWords& words = registers.cycle;
+
+  AxisVector hole = registers.position;
+  if (!target_of_words("XY", hole)) return false;
+  DrillingPlan plan;
+  plan.repetitions = repetitions;
+  plan.first_hole = hole;
+  if (incremental()) plan.step = hole - registers.position;
+  plan.drills = words.has_bottom;
+  plan.r_level = words.has_r ? words.r_level : words.initial_level;
+  plan.bottom = words.bottom;
+  plan.return_level = registers.modal[Group::return_level] == code(98) ? words.initial_level : plan.r_level;
+  plan.peck = cycle == code(83) ? words.peck : 0.0;
+  plan.clearance = kClearance;
+  plan.dwell_s = has_dwell(cycle) ? words.dwell_s : 0.0;
+  plan.feed_out = feeds_out(cycle);
+  plan.spindle_stop = cycle == code(86) && settings_.cycle_spindle_stop;
+  plan.spindle_rpm = effective_rpm(settings_, registers.spindle_rpm);
+  plan.spindle_wait_s = settings_.spindle_delay_s;
+  if (plan.drills && plan.bottom > plan.r_level) {
+    return refuse(
+        "cycle-levels", words_.has('Z') ? span('Z') : block_.span,
+        FixedText<200>::format("The bottom lies {:.3f} mm above point R.", plan.bottom - plan.r_level));
+  }
+  const bool needs_step = cycle == code(83) && plan.drills && plan.peck == 0.0;
+  if (needs_step && !settings_.single_stroke_without_q) {
+    return refuse("missing-word", block_.span, "G83 needs the depth of a step, Q.");
+  }
+  registers.unit_locked = true;
+  drilling = plan;
+  return true;
+}
+
+bool BlockRun::cycle_allowed() {
+  if (words_.has('A')) return refuse("cycle-axis", span('A'));
+  const bool starts = words_.has(Group::fixed_cycle);
+  if (!starts && (words_.present() & kCycleTriggers) == 0) return true;
+  if (registers.modal[Group::plane] != code(17)) return refuse("cycle-plane", block_.span);
+  if (!registers.spindle_on) return refuse("spindle-stopped", block_.span);
+  if (!registers.feed_given && !settings_.minimum_feed_without_f) return refuse("no-feed", block_.span);
+  return true;
+}
+
+bool BlockRun::cycle_words() {
+  CycleWords& words = registers.cycle;
+  double value = 0.0;
+  if (words_.has('R')) {
+    if (!read_distance('R', value)) return false;
+    // R counts from the initial level in G91; the tool may stand at R itself after G99.
+    words.r_level = incremental() ? words.initial_level + scaled_length(value) : destination(Axis::Z, value);
+    words.has_r = true;
+  }
+  if (words_.has('Z')) {
+    if (!read_distance('Z', value)) return false;
+    const double r_level = words.has_r ? words.r_level : words.initial_level;
+    words.bottom = incremental() ? r_level + scaled_length(value) : destination(Axis::Z, value);
+    words.has_bottom = true;
+  }
+  return true;
+}
+
+bool BlockRun::cycle_dwell_and_step() {
+  const CodeNumber cycle = registers.modal[Group::fixed_cycle];
+  double value = 0.0;
+  if (words_.has('Q') && cycle == code(83)) {
+    if (!read_distance('Q', value)) return false;
+    registers.cycle.peck = scaled_length(std::abs(value));  // the sign has no meaning (DGS-475)
+  }
+  if (words_.has('P') && has_dwell(cycle)) {
+    if (!read_integer('P', value)) return false;
+    registers.cycle.dwell_s = std::clamp(value / 1000.0, 0.0, kLongestDwell);
+  }
+  return true;
+}
+
+bool BlockRun::cycle_repetitions(std::int32_t& repetitions) {
+  if (!words_.has('K')) return true;
+  double value = 0.0;
+  if (!read_integer('K', value)) return false;
+  if (value < 0.0 || value > 9999.0) return refuse("repeat-count", span('K'));
+  repetitions = static_cast<std::int32_t>(value);
+  return true;
+}
+
+}  // namespace kerf::dgshape

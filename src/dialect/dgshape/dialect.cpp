@@ -1,0 +1,53 @@
+#include "dialect/dgshape/dialect.hpp"
+
+#include "dialect/dgshape/alarms.hpp"
+#include "dialect/dgshape/codes.hpp"
+#include "dialect/dgshape/rules.hpp"
+#include "dialect/dgshape/settings.hpp"
+
+namespace kerf::dgshape {
+namespace {
+
+std::shared_ptr<const BlockRules> make_rules(const Settings& settings, const Machine& machine) {
+  return std::make_shared<const Rules>(controller_settings(settings), machine);
+}
+
+FeedPolicy feed_policy(const Settings& settings) {
+  const ControllerSettings c = controller_settings(settings);
+  return {c.feed_min, c.feed_max, c.feed_resolution, c.feed_override, c.rapid_override};
+}
+
+ToolpathPolicy toolpath_policy(const Settings& settings) {
+  const ControllerSettings c = controller_settings(settings);
+  ToolpathPolicy policy;
+  policy.compensation.start_type = c.offset_type_b ? StartType::B : StartType::A;
+  policy.compensation.joint_gap_mm = c.arc_tolerance;
+  policy.compensation.start_with_arc = &alarm_kind("offset-start-arc");
+  policy.compensation.end_with_arc = &alarm_kind("offset-end-arc");
+  policy.compensation.inner_arc_radius = &alarm_kind("inner-arc-radius");
+  policy.compensation.no_crossover = &alarm_kind("no-crossover");
+  policy.compensation.side_change = &alarm_kind("offset-change");
+  policy.compensation.corner_arc_outside = &alarm_kind("corner-arc");
+  policy.limits = {&alarm_kind("over-travel"), c.clip_over_travel};
+  return policy;
+}
+
+}  // namespace
+
+Dialect dialect() {
+  Dialect d;
+  d.name = "dgshape";
+  d.title = "DGSHAPE NC code";
+  d.alarms = alarm_catalogue();
+  d.codes = code_table();
+  d.parameters = parameters();
+  d.defaults = default_machine();
+  d.optional_stop_key = "dgshape.optional_stop";
+  d.block_skip_key = "dgshape.block_skip";
+  d.rules = make_rules;
+  d.feed_policy = feed_policy;
+  d.toolpath_policy = toolpath_policy;
+  return d;
+}
+
+}  // namespace kerf::dgshape

@@ -1,0 +1,38 @@
+#pragma once
+// How a DGSHAPE block acts.
+
+#include "dialect/dgshape/block_words.hpp"
+#include "dialect/dgshape/settings.hpp"
+#include "execute/block_rules.hpp"
+#include "machine/machine.hpp"
+
+namespace kerf::dgshape {
+
+class Rules final : public BlockRules {
+ public:
+  Rules(const ControllerSettings& settings, const Machine& machine);
+
+  State initial_state() const override;
+  void begin_program(State& state) const override;
+  BlockOutcome execute(const Block& block, const Origin& origin, State& state, ActionQueue& queue,
+                       DrillingCycle& cycle) const override;
+  void end_of_data(const Origin& origin, State& state, ActionQueue& queue) const override;
+  Alarm syntax_alarm(SyntaxFault fault, const SourceSpan& span) const override;
+  AxisVector work_origin(const State& state) const override;
+
+  const ControllerSettings& settings() const { return settings_; }
+  const Machine& machine() const { return machine_; }
+  const CodeIndex& codes() const { return codes_; }
+
+ private:
+  void finish(State& state, ActionQueue& queue) const;
+
+  ControllerSettings settings_;
+  Machine machine_;
+  CodeIndex codes_;
+};
+
+/// Spindle speed the machine really turns: override, resolution, limits (manual 1-4, 2-4).
+double effective_rpm(const ControllerSettings& settings, double programmed);
+
+}  // namespace kerf::dgshape

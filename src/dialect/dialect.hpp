@@ -1,0 +1,47 @@
+#pragma once
+// A dialect as the rest of kerf sees it: tables of data and a few functions. A new dialect is a folder that
+// fills in one of these and one line in registry.cpp.
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "base/alarm.hpp"
+#include "execute/block_rules.hpp"
+#include "execute/code_table.hpp"
+#include "execute/feed_policy.hpp"
+#include "execute/toolpath_policy.hpp"
+#include "machine/machine.hpp"
+#include "machine/settings.hpp"
+
+namespace kerf {
+
+struct Dialect {
+  std::string_view name;   ///< as in `--dialect` and the machine file
+  std::string_view title;  ///< the controller's name
+  std::span<const AlarmKind> alarms;
+  std::span<const CodeRow> codes;
+  std::span<const Parameter> parameters;      ///< its own machine-file keys
+  std::span<const DefaultOverride> defaults;  ///< its default machine
+  std::string_view optional_stop_key;         ///< machine-file key that `--optional-stop` switches on
+  std::string_view block_skip_key;            ///< machine-file key that `--block-skip` switches on
+
+  std::shared_ptr<const BlockRules> (*rules)(const Settings&, const Machine&) = nullptr;
+  FeedPolicy (*feed_policy)(const Settings&) = nullptr;
+  ToolpathPolicy (*toolpath_policy)(const Settings&) = nullptr;
+};
+
+/// All dialects, in the order of the documentation.
+std::span<const Dialect> dialects();
+
+/// The dialect of that name, or null.
+const Dialect* find_dialect(std::string_view name);
+
+/// The dialect a program is written in, judged by its name and its first block: DGSHAPE when that is %. A
+/// text that fits no dialect gets the first one, whose alarms then say what is wrong.
+const Dialect& detect_dialect(std::string_view file_name, std::string_view text);
+
+/// Every machine-file key of a dialect.
+Schema schema_of(const Dialect& dialect);
+
+}  // namespace kerf
