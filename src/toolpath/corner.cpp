@@ -1,0 +1,187 @@
+#include "toolpath/corner.hpp"
+
+#include <cmath>
+
+#include "geometry/intersection.hpp"
+
+namespace kerf {
+namespace {
+
+constexpr double kSamePoint = 1e-6;      // mm; joints shorter than this are left out
+constexpr double kLeastRadius = 1e-4;    // mm; the least increment of the machines
+constexpr double kAngleRounding = 1e-9;  // degrees
+constexpr double kReversal = 1e-6;       // degrees from an exact reversal
+
+void add_point(Corner& corner, Vec2 point) {
+  if (corner.points.empty() || distance(corner.points.back(), point) >= kSamePoint)
+    corner.points.push_back(point);
+}
+
+Corner straight_between(Vec2 from, Vec2 to) {
+  Corner corner;
+  add_point(corner, from);
+  add_point(corner, to);
+  return corner;
+}
+
+Corner faulty(CornerFault fault, double gap_mm = 0.0) {
+  Corner corner;
+  corner.fault = fault;
+  corner.gap_mm = gap_mm;
+  return corner;
+}
+
+// Where the parallels of two straight lines through `at` meet. Not for reversals.
+Vec2 turning_point(Vec2 at, Vec2 tangent_in, Vec2 tangent_out, double left_mm) {
+  const Vec2 bisector = left_of(tangent_in) + left_of(tangent_out);
+  return at + left_mm / (1.0 + dot(tangent_in, tangent_out)) * bisector;
+}
+
+// The points around an outer corner on the tangents alone.
+void add_outer_points(Corner& corner, double angle_deg, Vec2 at, Vec2 tangent_in, Vec2 tangent_out,
+                      double left_mm) {
+  if (angle_deg >= 90.0 - kAngleRounding) {
+    add_point(corner, turning_point(at, tangent_in, tangent_out, left_mm));
+    return;
+  }
+  const double reach = std::abs(left_mm);
+  add_point(corner, at + left_mm * left_of(tangent_in) + reach * tangent_in);
+  add_point(corner, at + left_mm * left_of(tangent_out) - reach * tangent_out);
+}
+
+Meeting meeting_of_parallels(const PlanarSegment& first, const PlanarSegment& next) {
+  const PlanarCircle first_circle{first.center, first.radius};
+  const PlanarCircle next_circle{next.center, next.radius};
+  if (first.is_arc && next.is_arc) return meeting_of(first_circle, next_circle);
+  if (first.is_arc) return meeting_of(first_circle, line_through(next.start, next.end));
+  return meeting_of(line_through(first.start, first.end), next_circle);
+}
+
+// A line through the programmed direction: the shortened parallel may have been turned round or have no
+// length left.
+PlanarSegment endless(const OffsetSegment& segment, double left_mm) {
+  return segment.offset.is_arc ? segment.offset : offset_segment(segment.programmed, left_mm);
+}
+
+CornerFault trimmed_fault(PlanarSegment first, Vec2 first_end, PlanarSegment next, Vec2 next_start) {
+  // An arc may lose all of its length to rounding, but not more.
+  const auto gone = [](double left_deg, double radius) { return radius * radians(left_deg) < -kSamePoint; };
+  if (gone(end_at(first, first_end), first.radius)) return CornerFault::first_used_up;
+  if (gone(begin_at(next, next_start), next.radius)) return CornerFault::second_used_up;
+  return CornerFault::none;
+}
+
+// Inner corner with at least one arc: the meeting point of the parallels nearest to the corner.
+Corner inner_corner(const OffsetSegment& first, const OffsetSegment& next, const CornerRules& rules) {
+  const Vec2 first_end = first.offset.end;
+  const Vec2 next_start = next.offset.start;
+  // An almost tangent joint: the parallels may miss each other or meet far away, and their ends all but
+  // touch.
+  const bool almost_tangent = distance(first_end, next_start) <= rules.joint_gap_mm;
+  const Meeting meeting = meeting_of_parallels(endless(first, rules.left_mm), endless(next, rules.left_mm));
+  const std::optional<Vec2> nearest = nearest_point(meeting, first.programmed.end);
+  if (almost_tangent && (!nearest || distance(*nearest, first_end) > rules.joint_gap_mm))
+    return straight_between(first_end, next_start);
+  if (!nearest && meeting.gap_mm > rules.joint_gap_mm) return faulty(CornerFault::apart, meeting.gap_mm);
+
+  const Vec2 leave = nearest.value_or(meeting.nearest_on_first);
+  const Vec2 enter = nearest.value_or(meeting.nearest_on_second);
+  const CornerFault fault = trimmed_fault(first.offset, leave, next.offset, enter);
+  if (fault == CornerFault::none) return straight_between(leave, enter);
+  return almost_tangent ? straight_between(first_end, next_start) : faulty(fault);
+}
+
+}  // namespace
+
+bool is_arc_too_small(const PlanarSegment& programmed, double left_mm) {
+  return programmed.is_arc && offset_radius(programmed, left_mm) < -kLeastRadius;
+}
+
+OffsetSegment offset_of(const PlanarSegment& programmed, double left_mm) {
+  OffsetSegment segment{programmed, offset_segment(programmed, left_mm)};
+  if (programmed.is_arc && segment.offset.radius <= kLeastRadius) {
+    segment.offset.radius = 0.0;
+    segment.offset.start = segment.offset.end = programmed.center;
+  }
+  return segment;
+}
+
+double end_at(PlanarSegment& segment, Vec2 point) {
+  const Vec2 before = segment.end;
+  segment.end = point;
+  if (!segment.is_arc) return 1.0;
+  const double direction = segment.sweep_deg < 0.0 ? -1.0 : 1.0;
+  const double left = std::abs(segment.sweep_deg) +
+                      ahead_deg(before - segment.center, point - segment.center, direction < 0.0);
+  segment.sweep_deg = left * direction;
+  return left;
+}
+
+double begin_at(PlanarSegment& segment, Vec2 point) {
+  const Vec2 before = segment.start;
+  segment.start = point;
+  if (!segment.is_arc) return 1.0;
+  const double direction = segment.sweep_deg < 0.0 ? -1.0 : 1.0;
+  const double left = std::abs(segment.sweep_deg) -
+                      ahead_deg(before - segment.center, point - segment.center, direction < 0.0);
+  segment.sweep_deg = left * direction;
+  return left;
+}
+
+double workpiece_angle_deg(Vec2 tangent_in, Vec2 tangent_out, double left_mm) {
+  const double turn = turn_deg(tangent_in, tangent_out);
+  const double angle = left_mm < 0.0 ? 180.0 - turn : 180.0 + turn;
+  return angle < kReversal || angle > 360.0 - kReversal ? 0.0 : angle;
+}
+
+bool is_inner(double workpiece_angle_deg) {
+  return workpiece_angle_deg >= 180.0 - kAngleRounding;
+}
+
+Corner crossover_corner(const OffsetSegment& first, const OffsetSegment& next, const CornerRules& rules) {
+  const Vec2 at = first.programmed.end;
+  const Vec2 tangent_in = end_tangent(first.programmed);
+  const Vec2 tangent_out = start_tangent(next.programmed);
+  const double angle = workpiece_angle_deg(tangent_in, tangent_out, rules.left_mm);
+  if (distance(first.offset.end, next.offset.start) < kSamePoint)
+    return straight_between(first.offset.end, next.offset.start);
+  if (is_inner(angle)) {
+    if (angle >= 360.0 - rules.small_angle_deg - kAngleRounding)
+      return straight_between(first.offset.end, next.offset.start);
+    if (first.offset.is_arc || next.offset.is_arc) return inner_corner(first, next, rules);
+    const Vec2 turning = turning_point(at, tangent_in, tangent_out, rules.left_mm);
+    return straight_between(turning, turning);
+  }
+  Corner corner;
+  if (first.offset.is_arc) add_point(corner, first.offset.end);
+  add_outer_points(corner, angle, at, tangent_in, tangent_out, rules.left_mm);
+  if (next.offset.is_arc) add_point(corner, next.offset.start);
+  return corner;
+}
+
+Corner start_corner(Vec2 tangent_in, const OffsetSegment& next, StartType type, const CornerRules& rules) {
+  const Vec2 tangent_out = start_tangent(next.programmed);
+  const double angle = workpiece_angle_deg(tangent_in, tangent_out, rules.left_mm);
+  const bool around =
+      type == StartType::B && !is_inner(angle) && angle > rules.small_angle_deg + kAngleRounding;
+  Corner corner;
+  if (around) {
+    add_outer_points(corner, angle, next.programmed.start, tangent_in, tangent_out, rules.left_mm);
+    if (!next.offset.is_arc) return corner;
+  }
+  add_point(corner, next.offset.start);
+  return corner;
+}
+
+Corner end_corner(const OffsetSegment& first, Vec2 tangent_out, StartType type, const CornerRules& rules) {
+  const Vec2 tangent_in = end_tangent(first.programmed);
+  const double angle = workpiece_angle_deg(tangent_in, tangent_out, rules.left_mm);
+  const bool around =
+      type == StartType::B && !is_inner(angle) && angle > rules.small_angle_deg + kAngleRounding;
+  Corner corner;
+  if (!around || first.offset.is_arc) add_point(corner, first.offset.end);
+  if (around) add_outer_points(corner, angle, first.programmed.end, tangent_in, tangent_out, rules.left_mm);
+  return corner;
+}
+
+}  // namespace kerf

@@ -1,0 +1,75 @@
+#pragma once
+// Corners of the tool radius compensation: where the tool centre leaves the parallel of one programmed
+// segment and enters the parallel of the next.
+//
+// The corner angle a is measured between the two paths on the workpiece side: a >= 180 degrees is an inner
+// corner, 90 <= a < 180 outer obtuse, a < 90 outer acute (DGSHAPE NC code reference 2-2, "Definitions of
+// Inner Side and Outer Side"). Outer corners use the tangents of the parallels: obtuse ones turn at the
+// intersection of the tangents, acute ones prolong both tangents by the offset amount and join them straight.
+
+#include <cstdint>
+
+#include "base/fixed_vector.hpp"
+#include "execute/toolpath_policy.hpp"
+#include "geometry/planar_segment.hpp"
+
+namespace kerf {
+
+struct CornerRules {
+  double left_mm = 0.0;  ///< offset to the left of travel; negative: to the right
+  double small_angle_deg =
+      1.0;  ///< at such outer angles type B falls back to A, and inner angles join straight
+  double joint_gap_mm = 0.01;  ///< parallels that miss each other by no more are joined straight
+};
+
+/// A programmed segment and the path of the tool centre beside it.
+struct OffsetSegment {
+  PlanarSegment programmed;
+  PlanarSegment offset;
+};
+
+/// The parallel from the point at right angles to the start to the point at right angles to the end. An arc
+/// whose offset radius is at most 0.0001 mm, more or less than nothing, shrinks to its centre (offset.radius
+/// 0).
+OffsetSegment offset_of(const PlanarSegment& programmed, double left_mm);
+
+/// True when the tool is too large for the inside of an arc, by more than 0.0001 mm.
+bool is_arc_too_small(const PlanarSegment& programmed, double left_mm);
+
+/// Move the end or the start of a segment along its curve, keeping the sweep of an arc right. They return how
+/// much is left: 1 for a line; for an arc the remaining sweep in the direction of travel, degrees, negative
+/// when nothing is left.
+double end_at(PlanarSegment& segment, Vec2 point);
+double begin_at(PlanarSegment& segment, Vec2 point);
+
+/// Corner angle on the workpiece side in degrees, 0 <= a < 360; an exact reversal is 0.
+double workpiece_angle_deg(Vec2 tangent_in, Vec2 tangent_out, double left_mm);
+
+bool is_inner(double workpiece_angle_deg);
+
+enum class CornerFault : std::uint8_t {
+  none,
+  apart,           ///< the parallels do not meet
+  first_used_up,   ///< the meeting point lies before the start of the first arc
+  second_used_up,  ///< the meeting point lies behind the end of the second arc
+};
+
+/// The way of the tool centre around a corner: the first segment ends at the first point, the tool goes
+/// straight from point to point, and the second segment begins at the last.
+struct Corner {
+  FixedVector<Vec2, 4> points;  ///< never empty without a fault; neighbours are at least 1e-6 mm apart
+  CornerFault fault = CornerFault::none;
+  double gap_mm = 0.0;  ///< with CornerFault::apart: the distance by which the parallels miss each other
+};
+
+/// Between two compensated segments. The offset of `first` may have been shortened at its start by the corner
+/// before.
+Corner crossover_corner(const OffsetSegment& first, const OffsetSegment& next, const CornerRules& rules);
+
+/// From the straight starting block, which comes along `tangent_in`, to the first compensated segment.
+Corner start_corner(Vec2 tangent_in, const OffsetSegment& next, StartType type, const CornerRules& rules);
+
+/// From the last compensated segment to the straight ending block, which leaves along `tangent_out`.
+Corner end_corner(const OffsetSegment& first, Vec2 tangent_out, StartType type, const CornerRules& rules);
+
+}  // namespace kerf

@@ -1,0 +1,128 @@
+#pragma once
+// The pass that moves the tool centre beside the programmed path: tool radius compensation (G40, G41, G42)
+// with look-ahead over one block, and its corner arcs (G39). Source: DGSHAPE NC code reference 2-2, G39 to
+// G42; corner.hpp has the geometry.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "execute/action.hpp"
+#include "execute/toolpath_policy.hpp"
+#include "toolpath/corner.hpp"
+#include "toolpath/path_queue.hpp"
+
+namespace kerf {
+
+/// Rewrites moves whose `compensation` commands a side, in the plane of the move that starts it; other axes
+/// ride along unchanged.
+///
+/// - The first straight move with motion in the plane after a side is commanded starts the compensation; the
+/// first
+///   move that names an axis of the plane after the side returns to none ends it. A negative amount exchanges
+///   sides.
+/// - Actions between two compensated moves are given out in order, where the first move and its joints end.
+/// - When the look-ahead ends (`blocks_without_motion` or more blocks between two moves, counted by
+/// Origin::block and
+///   without the block of a corner arc; or more than 64 actions), the first move ends at the point at right
+///   angles to its end and the tool goes straight to the point at right angles to the start of the next.
+/// - A corner arc at an inner corner is left out; the corner is joined as without it.
+/// - Moves put in at corners carry origin, mode, feed and commanded end of the move before them; those after
+/// a failed
+///   look-ahead the ones of the move after them; those after a corner arc the arc's origin.
+/// - End and the end of the actions finish the last move at the point at right angles to its end and take the
+///   compensation back.
+/// - An alarm drops the move it is about (and, when an arc is used up by its neighbours, the move after it)
+/// and takes
+///   the compensation back. The next move goes on from where the tool is; a straight one starts the
+///   compensation again when it commands a side, arcs before it run as programmed.
+/// - There is no interference check: an inner corner may turn the direction of a short straight move round.
+///
+/// Start and end of the moves given out chain exactly. Moves that shrink to nothing are left out. Nothing is
+/// allocated. While not in force, actions are handed through without a copy.
+class RadiusCompensationPass {
+ public:
+  explicit RadiusCompensationPass(const RadiusCompensationPolicy& policy);
+
+  /// The next action, valid until the following call; nullptr at the end. `upstream.next()` gives the same.
+  template <class Upstream>
+  const Action* next(Upstream& upstream) {
+    for (;;) {
+      if (const Action* ready = out_.pop()) return ready;
+      const Action* action = upstream.next();
+      if (action == nullptr) {
+        if (state_ == State::off) return nullptr;
+        finish();
+      } else if (is_idle() && passes_through(*action)) {
+        return action;
+      } else {
+        push(*action);
+      }
+    }
+  }
+
+  /// Back to the state after construction.
+  void reset();
+
+ private:
+  enum class State : std::uint8_t {
+    off,
+    starting,  ///< the straight starting move is held back
+    running,   ///< a compensated move is held back
+    settled,   ///< in force; the last move has been given out, up to the point at right angles to its end
+  };
+
+  /// A corner arc that really turns.
+  struct CornerTurn {
+    double sweep_deg = 0.0;
+    Vec2 end;
+  };
+
+  bool is_idle() const { return state_ == State::off && !displaced_ && !after_alarm_; }
+  static bool passes_through(const Action& action);
+  void push(const Action& action);
+  void push_while_off(const Action& action);
+  void push_move(const Action& action, const Move& move);
+  void push_corner_arc(const Action& action);
+  void push_motionless(const Action& action);
+
+  void start(const Action& action, const Move& move);
+  void advance(const Action& action, const Move& move);
+  void end(const Action& action, const Move& move);
+  void finish();
+  void turn_off(bool displaced);
+
+  void hold(const Action& action, const OffsetSegment& segment);
+  void leave_held(const Corner& corner);
+  void leave_held_at_right_angles();
+  void settle();
+  void add_held(Vec2 end);
+  void add_corner_arc(const CornerTurn& turn);
+
+  Corner corner_to(const OffsetSegment& next) const;
+  Corner corner_to_end(const Move& move) const;
+  std::optional<CornerTurn> corner_turn(Vec2 next_direction) const;
+  bool look_ahead_fails(const Origin& next) const;
+
+  void raise(const AlarmKind* kind, const Origin& origin, const FixedText<200>& message);
+  void raise_corner_fault(const Corner& corner, const Origin& next);
+
+  CornerRules rules() const { return {left_mm_, policy_.small_angle_deg, policy_.joint_gap_mm}; }
+  const Move& held_move() const { return std::get<Move>(held_.what); }
+  Vec2 point() const { return in_plane(out_.position(), plane_); }
+
+  RadiusCompensationPolicy policy_;
+  State state_ = State::off;
+  bool displaced_ = false;    ///< off, but the tool stands where out_ ends, not where the program has it
+  bool after_alarm_ = false;  ///< off because of an alarm, with a side commanded
+  Plane plane_;
+  double left_mm_ = 0.0;
+  Action held_;                 ///< the move held back; settled: the last one given out
+  OffsetSegment held_segment_;  ///< of held_; its offset begins where the tool enters it
+  bool has_corner_arc_ = false;
+  Origin corner_arc_origin_;
+  CornerArc corner_arc_;  ///< between held_ and the next move
+  PathQueue out_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,40 @@
+#pragma once
+// The passes between the interpreter and the planner, in their order.
+
+#include "toolpath/radius_compensation.hpp"
+#include "toolpath/travel_limits.hpp"
+
+namespace kerf {
+
+/// The toolpath of an upstream whose `next()` gives the actions of a program (nullptr at the end, and again
+/// after it): compensated, then checked against the travel of the axes. Allocates nothing after construction.
+/// Too large for a small stack (about 100 kB).
+template <class Upstream>
+class Toolpath {
+ public:
+  /// Upstream must outlive the toolpath.
+  Toolpath(Upstream& upstream, const Machine& machine, const ToolpathPolicy& policy)
+      : compensated_{&upstream, RadiusCompensationPass(policy.compensation)},
+        limits_(machine, policy.limits) {}
+
+  /// The next action, valid until the following call; nullptr at the end.
+  const Action* next() { return limits_.next(compensated_); }
+
+  /// Back to the start, for a program that begins anew.
+  void reset() {
+    compensated_.pass.reset();
+    limits_.reset();
+  }
+
+ private:
+  struct Compensated {
+    Upstream* upstream;
+    RadiusCompensationPass pass;
+    const Action* next() { return pass.next(*upstream); }
+  };
+
+  Compensated compensated_;
+  TravelLimitPass limits_;
+};
+
+}  // namespace kerf
