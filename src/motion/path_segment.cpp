@@ -1,0 +1,228 @@
+#include "motion/path_segment.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "geometry/vec2.hpp"
+
+namespace kerf {
+namespace {
+
+constexpr double kLargest = std::numeric_limits<double>::max();
+
+double square(double x) {
+  return x * x;
+}
+
+/// The speed at which the first axis reaches its limit: 1 / max |slope| / limit.
+double limit_along(const AxisVector& slope, const AxisVector& inverse_limit) {
+  double need = 0.0;
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    need = std::max(need, std::abs(slope.values[i]) * inverse_limit.values[i]);
+  }
+  return need > 0.0 ? 1.0 / need : kLargest;
+}
+
+/// Length along which the feed of a move is measured; 0: the move asks for the axes' highest rates.
+double feed_length(const Move& move, const AxisVector& step, double xyz_or_arc_length, double all_length) {
+  const RotaryFeed& rotary = move.rotary_feed;
+  const double base = xyz_or_arc_length > kShortestLength ? xyz_or_arc_length : 0.0;
+  const double turn = rotary.active ? std::abs(step[rotary.axis]) : 0.0;
+  if (turn <= kShortestLength) return base > 0.0 ? base : all_length;
+  if (rotary.at_maximum || !(rotary.radius > 0.0)) return base;
+  return std::max(base, radians(turn) * rotary.radius);
+}
+
+void set_feed(PathSegment& segment, const Move& move, double measured_length) {
+  segment.feed_mm_min = move.feed;
+  segment.at_maximum = segment.rapid || measured_length <= 0.0;
+  segment.feed_per_speed = 60.0 * (measured_length > 0.0 ? measured_length / segment.length : 1.0);
+}
+
+void set_line(PathSegment& segment, const Move& move, const AxisLimits& limits) {
+  const AxisVector step = move.end - move.start;
+  double sum = 0.0;
+  for (const double x : step.values) sum += x * x;
+  segment.is_arc = false;
+  segment.length = std::sqrt(sum);
+  segment.length_mm = std::sqrt(square(step[Axis::X]) + square(step[Axis::Y]) + square(step[Axis::Z]));
+  if (!(segment.length >= kShortestLength) || std::isinf(segment.length)) {
+    segment.length = 0.0;
+    return;
+  }
+  const double inverse = 1.0 / segment.length;
+  for (std::size_t i = 0; i < kAxisCount; ++i) segment.slope.values[i] = step.values[i] * inverse;
+  set_feed(segment, move, feed_length(move, step, segment.length_mm, segment.length));
+  segment.speed_limit =
+      limit_along(segment.slope, segment.rapid ? limits.inverse_rapid : limits.inverse_feed);
+  segment.acceleration = limit_along(segment.slope, limits.inverse_acceleration);
+}
+
+/// Speed and acceleration of a circle or a narrow spiral r = r0 + k angle. With w the angle's rate, the
+/// velocity is w sqrt(r2 + k2) and the acceleration has the parts w2 sqrt(r2 + 4 k2) and dw/dt sqrt(r2 + k2),
+/// at right angles on a circle; on a spiral the cosine of the angle between them is at most k / r and never
+/// above 1/3.
+void set_arc_limits(PathSegment& segment, const AxisLimits& limits, double feed_now, double r0, double r1,
+                    double k) {
+  const std::size_t first = segment.arc.first;
+  const std::size_t second = segment.arc.second;
+  const double widest = std::max(r0, r1);
+  const double slope = std::abs(segment.arc.angle_slope);
+  const double along = slope * std::hypot(widest, k);  // plane speed for a speed of 1
+  const double across =
+      square(slope) * std::hypot(widest, 2 * k);  // centripetal acceleration for a speed of 1
+  const double tilt = std::min(std::abs(k) / std::max(std::min(r0, r1), kShortestLength), 1.0 / 3.0);
+  const double plane_acceleration =
+      std::min(limits.acceleration.values[first], limits.acceleration.values[second]) / std::sqrt(1.0 + tilt);
+  const double plane_feed = std::min(limits.feed.values[first], limits.feed.values[second]);
+
+  double speed = std::min(plane_feed / along, limit_along(segment.slope, limits.inverse_feed));
+  speed = std::min(speed, std::sqrt(kCentripetalShare * plane_acceleration / across));
+  if (!segment.at_maximum) {
+    speed = std::min(speed, 2.0 * std::max({feed_now, segment.feed_mm_min, 0.0}) / segment.feed_per_speed);
+  }
+  segment.speed_limit = speed;
+  const double centripetal = across * square(speed);
+  segment.acceleration = std::min(std::sqrt(square(plane_acceleration) - square(centripetal)) / along,
+                                  limit_along(segment.slope, limits.inverse_acceleration));
+}
+
+/// False when the arc is too small to be one.
+bool set_arc(PathSegment& segment, const Move& move, const AxisLimits& limits, double feed_now) {
+  const Axis first = move.plane.first;
+  const Axis second = move.plane.second;
+  const double x0 = move.start[first] - move.arc.center[0];
+  const double y0 = move.start[second] - move.arc.center[1];
+  const double x1 = move.end[first] - move.arc.center[0];
+  const double y1 = move.end[second] - move.arc.center[1];
+  const double r0 = std::hypot(x0, y0);
+  const double r1 = std::hypot(x1, y1);
+  const double sweep = radians(move.arc.sweep);
+  const double mean_radius = 0.5 * (r0 + r1);
+  const double arc_length = mean_radius * std::abs(sweep);
+  if (!(arc_length >= kShortestLength) || std::isinf(arc_length) || !(std::min(r0, r1) > 0.0)) return false;
+
+  AxisVector step = move.end - move.start;
+  step[first] = 0.0;
+  step[second] = 0.0;
+  double sum = square(arc_length);
+  for (const double x : step.values) sum += x * x;
+  segment.is_arc = true;
+  segment.length = std::sqrt(sum);
+  double xyz = square(arc_length);
+  for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) xyz += square(step[axis]);
+  segment.length_mm = std::sqrt(xyz);
+
+  const double inverse = 1.0 / segment.length;
+  for (std::size_t i = 0; i < kAxisCount; ++i) segment.slope.values[i] = step.values[i] * inverse;
+  ArcPath& arc = segment.arc;
+  arc.first = static_cast<std::uint8_t>(index(first));
+  arc.second = static_cast<std::uint8_t>(index(second));
+  arc.center = move.arc.center;
+  arc.angle = std::atan2(y0, x0);
+  arc.angle_slope = sweep * inverse;
+  arc.radius = r0;
+  arc.radius_slope = (r1 - r0) * inverse;
+  const double end_angle = arc.angle + sweep;
+  arc.drift = {(x1 - r1 * std::cos(end_angle)) * inverse, (y1 - r1 * std::sin(end_angle)) * inverse};
+  set_feed(segment, move, feed_length(move, step, arc_length, segment.length));
+  set_arc_limits(segment, limits, feed_now, r0, r1, (r1 - r0) / sweep);
+  return true;
+}
+
+/// d position / ds on an arc whose radius vector is (x, y).
+AxisVector arc_tangent(const PathSegment& segment, double x, double y) {
+  const ArcPath& arc = segment.arc;
+  const double radius = std::hypot(x, y);
+  const double radial = arc.radius_slope / radius;
+  AxisVector tangent = segment.slope;
+  tangent.values[arc.first] = radial * x - arc.angle_slope * y + arc.drift[0];
+  tangent.values[arc.second] = radial * y + arc.angle_slope * x + arc.drift[1];
+  return tangent;
+}
+
+void extend(AxisVector& low, AxisVector& high, std::size_t axis, double value) {
+  low.values[axis] = std::min(low.values[axis], value);
+  high.values[axis] = std::max(high.values[axis], value);
+}
+
+}  // namespace
+
+void set_path(PathSegment& segment, const Move& move, const AxisLimits& limits, double feed_now) {
+  segment.start = move.start;
+  segment.end = move.end;
+  segment.rapid = move.mode == MoveMode::rapid;
+  if (is_arc(move.mode) && set_arc(segment, move, limits, feed_now)) return;
+  set_line(segment, move, limits);
+}
+
+AxisVector start_tangent(const PathSegment& segment) {
+  if (!segment.is_arc) return segment.slope;
+  const ArcPath& arc = segment.arc;
+  return arc_tangent(segment, segment.start.values[arc.first] - arc.center[0],
+                     segment.start.values[arc.second] - arc.center[1]);
+}
+
+AxisVector end_tangent(const PathSegment& segment) {
+  if (!segment.is_arc) return segment.slope;
+  const ArcPath& arc = segment.arc;
+  return arc_tangent(segment, segment.end.values[arc.first] - arc.center[0],
+                     segment.end.values[arc.second] - arc.center[1]);
+}
+
+void evaluate(const PathSegment& segment, double s, double speed, double acceleration, AxisVector& position,
+              AxisVector& velocity, AxisVector& acceleration_out) {
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    position.values[i] = segment.start.values[i] + segment.slope.values[i] * s;
+    velocity.values[i] = segment.slope.values[i] * speed;
+    acceleration_out.values[i] = segment.slope.values[i] * acceleration;
+  }
+  if (!segment.is_arc) return;
+  const ArcPath& arc = segment.arc;
+  const double angle = arc.angle + arc.angle_slope * s;
+  const double x = std::cos(angle);
+  const double y = std::sin(angle);
+  const double radius = arc.radius + arc.radius_slope * s;
+  const double turn = arc.angle_slope * radius;
+  const double dx = arc.radius_slope * x - turn * y + arc.drift[0];
+  const double dy = arc.radius_slope * y + turn * x + arc.drift[1];
+  const double bend = -arc.angle_slope * turn;
+  const double twist = 2.0 * arc.radius_slope * arc.angle_slope;
+  const double speed2 = speed * speed;
+  position.values[arc.first] = arc.center[0] + radius * x + arc.drift[0] * s;
+  position.values[arc.second] = arc.center[1] + radius * y + arc.drift[1] * s;
+  velocity.values[arc.first] = speed * dx;
+  velocity.values[arc.second] = speed * dy;
+  acceleration_out.values[arc.first] = acceleration * dx + speed2 * (bend * x - twist * y);
+  acceleration_out.values[arc.second] = acceleration * dy + speed2 * (bend * y + twist * x);
+}
+
+void extend_range(const PathSegment& segment, AxisVector& low, AxisVector& high) {
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    low.values[i] = std::min({low.values[i], segment.start.values[i], segment.end.values[i]});
+    high.values[i] = std::max({high.values[i], segment.start.values[i], segment.end.values[i]});
+  }
+  if (!segment.is_arc) return;
+  // Where the radius vector points along an axis: at every quarter turn inside the sweep. The fifth repeats
+  // the first one turn later, except on a spiral, whose widest turn is at one of its ends.
+  const ArcPath& arc = segment.arc;
+  const double quarter = 0.5 * std::numbers::pi;
+  const double sweep = arc.angle_slope * segment.length;
+  const double from = std::min(arc.angle, arc.angle + sweep) / quarter;
+  const double to = std::max(arc.angle, arc.angle + sweep) / quarter;
+  const auto visit = [&](double quarters) {
+    if (quarters < from || quarters > to) return;
+    const double s = (quarters * quarter - arc.angle) / arc.angle_slope;
+    const double radius = arc.radius + arc.radius_slope * s;
+    extend(low, high, arc.first, arc.center[0] + radius * std::cos(quarters * quarter));
+    extend(low, high, arc.second, arc.center[1] + radius * std::sin(quarters * quarter));
+  };
+  for (int i = 0; i < 4; ++i) {
+    visit(std::ceil(from) + i);
+    visit(std::floor(to) - i);
+  }
+}
+
+}  // namespace kerf

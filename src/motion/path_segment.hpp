@@ -1,0 +1,85 @@
+#pragma once
+// The geometry of one move along a path parameter, and the speed and acceleration it allows.
+//
+// The path parameter s is the length of the path in all axes together, millimetres and degrees alike, so that
+// a speed in s that does not change from one segment to a tangent one leaves every axis's velocity unchanged.
+// On lines ds2 = sum of the squared steps of all axes; on arcs the circle counts with its mean radius and the
+// other axes follow linearly.
+//
+// Feeds are measured otherwise (`feed_length`):
+// - lines: along the X-Y-Z path; when none of these moves, along the path of the axes that do (degree/min for
+// a
+//   rotary axis alone);
+// - arcs and helices: along the circle in the plane (UNSPECIFIED row DGS-219, the rule of JIS controllers);
+// - with RotaryFeed (DGSHAPE 1-4, 2-5): the rotary axis turns at F / radius [rad/min], constant over the
+// block; when
+//   X, Y or Z move in the same block it takes the longer of the two times. With radius 0 or at_maximum the
+//   rotary axis asks for its highest rate.
+
+#include <array>
+#include <cstdint>
+
+#include "base/axis.hpp"
+#include "execute/action.hpp"
+#include "motion/axis_limits.hpp"
+
+namespace kerf {
+
+/// The circle of an arc, as functions of s. Start and end radius may differ a little (spiral), and the end
+/// point may lie off the programmed angle by rounding: `drift` spreads that over the arc so that both ends
+/// are exact.
+struct ArcPath {
+  std::uint8_t first = 0;  ///< plane axes
+  std::uint8_t second = 1;
+  std::array<double, 2> center{};
+  double angle = 0.0;         ///< of the start, radians
+  double angle_slope = 0.0;   ///< d angle / ds
+  double radius = 0.0;        ///< at the start
+  double radius_slope = 0.0;  ///< d radius / ds
+  std::array<double, 2> drift{};
+};
+
+struct PathSegment {
+  AxisVector start;
+  AxisVector end;
+  AxisVector slope;  ///< d position / ds; 0 for the plane axes of an arc
+  ArcPath arc;
+  bool is_arc = false;
+  bool rapid = false;
+  bool at_maximum = false;     ///< the axes' limits alone decide the speed
+  double length = 0.0;         ///< of s; 0: the move does not move
+  double length_mm = 0.0;      ///< way of the tool in X, Y and Z
+  double feed_mm_min = 0.0;    ///< programmed
+  double feed_per_speed = 60;  ///< mm/min of feed for 1 mm/s of s
+  double speed_limit = 0.0;    ///< of s, mm/s: axis rates and centripetal acceleration, whatever the feed
+  double acceleration = 0.0;   ///< of s, mm/s2, available everywhere on the segment up to speed_limit
+};
+
+/// Moves shorter than this do not move.
+inline constexpr double kShortestLength = 1e-9;
+
+/// Share of an arc's acceleration that the centripetal part may take; 0.6 of it are then left along the path
+/// (0.8^2 + 0.6^2 = 1).
+inline constexpr double kCentripetalShare = 0.8;
+
+/// Fills in the segment of a move. `feed_now` is the effective feed in mm/min: on arcs the acceleration along
+/// the path is what the centripetal acceleration at twice the larger of it and the programmed feed leaves,
+/// and speed_limit keeps to that, so that a later rise of the override finds the planned acceleration still
+/// available.
+///
+/// Limits on lines: every axis's rate and acceleration divided by its share of the direction. On arcs the
+/// plane axes count with the smaller limit of the two, as the direction turns.
+void set_path(PathSegment& segment, const Move& move, const AxisLimits& limits, double feed_now);
+
+/// Direction of travel d position / ds at the start and the end; of length 1 except on spirals.
+AxisVector start_tangent(const PathSegment& segment);
+AxisVector end_tangent(const PathSegment& segment);
+
+/// Position, velocity and acceleration at s for the speed and acceleration of s.
+void evaluate(const PathSegment& segment, double s, double speed, double acceleration, AxisVector& position,
+              AxisVector& velocity, AxisVector& acceleration_out);
+
+/// Widens [low, high] of every axis by the segment.
+void extend_range(const PathSegment& segment, AxisVector& low, AxisVector& high);
+
+}  // namespace kerf
