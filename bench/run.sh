@@ -1,0 +1,117 @@
+#!/usr/bin/env bash
+# Measures kerf and prints Markdown tables: the micro benchmarks, then whole processes on a finishing program of a
+# million blocks, beside LinuxCNC's stand-alone interpreter (rs274 -g) when it is installed. Medians of the repetitions.
+#   bench/run.sh [--with-linuxcnc] [--blocks N] [--repetitions N] [--no-micro]
+# --with-linuxcnc installs the Debian package linuxcnc-uspace for the comparison.
+set -uo pipefail
+# shellcheck source=tools/setup.sh
+. "$(dirname "${BASH_SOURCE[0]}")/../tools/setup.sh"
+
+blocks=1000000
+repetitions=5
+micro=1
+packages=$kerf_packages_bench
+while [ $# -gt 0 ]; do
+  case $1 in
+    --with-linuxcnc) packages="$packages linuxcnc-uspace" ;;
+    --blocks) blocks=$2; shift ;;
+    --repetitions) repetitions=$2; shift ;;
+    --no-micro) micro=0 ;;
+    *) kerf_say "unknown option $1"; exit 2 ;;
+  esac
+  shift
+done
+# shellcheck disable=SC2086 # a list of words
+kerf_require $packages
+# shellcheck disable=SC2086 # the build does not depend on LinuxCNC
+kerf_require $kerf_packages_bench
+kerf_build bench || exit 1
+kerf=build/bench/kerf
+work=build/bench-work
+mkdir -p "$work"
+
+kerf_step "writing a program of $blocks blocks" build/bench-input.log bash -c "
+  set -e
+  g++ -std=c++20 -O2 tools/make_finishing.cpp -o $work/make_finishing
+  $work/make_finishing $blocks > $work/finishing.nc
+  $work/make_finishing 20000 > $work/small.nc" || exit 1
+# rs274 wants to know the tool and has no eight-digit program number.
+printf 'T7 P7 Z+48.0 D+4.0 ;ball nose\n' >"$work/tool.tbl"
+sed -e 's/^O00000104$/(O104)/' "$work/finishing.nc" >"$work/rs274.ngc"
+
+# once COMMAND...: seconds and peak memory in MiB of one run.
+once() {
+  local report=$work/time.txt
+  if ! /usr/bin/time -f '%e %M' -o "$report" "$@" >/dev/null 2>"$work/stderr.txt"; then
+    tail -n 20 "$work/stderr.txt" >&2
+    kerf_say "failed: $*"
+    return 1
+  fi
+  awk 'END { printf "%.3f %.1f\n", $1, $2 / 1024 }' "$report"
+}
+
+# measure NAME COMMAND...: prints a row and remembers the median time in $median.
+measure() {
+  local name=$1 i rows=''
+  shift
+  for ((i = 0; i < repetitions; ++i)); do
+    rows+=$(once "$@")$'\n' || exit 1
+  done
+  median=$(sort -n <<<"$rows" | awk 'NF == 2 { t[++n] = $1 } END { print n % 2 ? t[(n + 1) / 2] : (t[n / 2] + t[n / 2 + 1]) / 2 }')
+  awk -v name="$name" -v median="$median" -v base="${base-}" -v lines="$lines" '
+    NF == 2 {
+      if (min == "" || $1 < min) min = $1
+      if ($1 > max) max = $1
+      if ($2 > memory) memory = $2
+    }
+    END {
+      ratio = base == "" ? "1.0" : sprintf("%.2f", median / base)
+      printf "| `%s` | %.2f | %.2f to %.2f | %.2f | %.0f | %s |\n", name, median, min, max,
+             lines / median / 1e6, memory, ratio
+    }' <<<"$rows"
+}
+
+printf '\nMachine: %s, %s cores. Compiler: %s.\n' \
+  "$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1)" "$(nproc)" "$(g++ --version | head -n 1)"
+
+if [ "$micro" -eq 1 ] && [ -x build/bench/bench/kerf_bench ]; then
+  kerf_say "micro benchmarks, $repetitions repetitions"
+  build/bench/bench/kerf_bench --benchmark_repetitions="$repetitions" --benchmark_report_aggregates_only=true \
+    --benchmark_format=csv >"$work/micro.csv" 2>"$work/micro.log" ||
+    { tail -n 20 "$work/micro.log" >&2; exit 1; }
+  printf '\n| micro benchmark | median time | items/s |\n| --- | ---: | ---: |\n'
+  awk -F, '
+    $1 ~ /_median"?$/ {
+      gsub(/"/, "", $1)
+      sub(/_median$/, "", $1)
+      printf "| %s | %.4g %s | %s |\n", $1, $4, $5, $7 == "" ? "" : sprintf("%.3g", $7)
+    }' "$work/micro.csv"
+fi
+
+lines=$(wc -l <"$work/finishing.nc")
+kerf_say "whole processes on $lines blocks, $repetitions repetitions each"
+printf '\nA finishing program of %s blocks, %s MB, whole process from start to end, %s repetitions:\n\n' \
+  "$lines" "$(awk -v b="$(wc -c <"$work/finishing.nc")" 'BEGIN { printf "%.1f", b / 1e6 }')" "$repetitions"
+printf '| command | median s | range s | million blocks/s | peak MiB | time / kerf path |\n'
+printf '| --- | ---: | ---: | ---: | ---: | ---: |\n'
+base=''
+measure 'kerf path --quiet' "$kerf" path --quiet "$work/finishing.nc"
+base=$median
+measure 'kerf check' "$kerf" check "$work/finishing.nc"
+measure 'kerf path --json' "$kerf" path --json "$work/finishing.nc"
+measure 'kerf run' "$kerf" run "$work/finishing.nc"
+if command -v rs274 >/dev/null; then
+  # What it writes is thrown away as the others' output is; -g leaves the motion queue out.
+  measure 'rs274 -g (LinuxCNC)' rs274 -g -t "$work/tool.tbl" "$work/rs274.ngc"
+else
+  kerf_say 'LinuxCNC is not installed: bench/run.sh --with-linuxcnc compares with it'
+fi
+
+base=''
+lines=$(wc -l <"$work/small.nc")
+printf '\nThe same with %s blocks:\n\n' "$lines"
+printf '| command | median s | range s | million blocks/s | peak MiB | time / kerf path |\n'
+printf '| --- | ---: | ---: | ---: | ---: | ---: |\n'
+measure 'kerf path --quiet' "$kerf" path --quiet "$work/small.nc"
+base=$median
+measure 'kerf run' "$kerf" run "$work/small.nc"

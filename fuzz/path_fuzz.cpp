@@ -1,0 +1,169 @@
+// Any bytes as a program: through reader, interpreter, toolpath passes and a bounded piece of the motion,
+// under settings that the bytes themselves choose. Besides what the sanitizers see, the promises of the
+// stages are checked: alarms lie inside the text, moves chain without gaps and stay finite, arcs end where
+// they say.
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dialect/setup.hpp"
+#include "execute/interpreter.hpp"
+#include "motion/run.hpp"
+#include "toolpath/toolpath.hpp"
+
+namespace {
+
+using kerf::Action;
+using kerf::Axis;
+using kerf::Controller;
+using kerf::Move;
+
+constexpr int kMaxActions = 20'000;          // a cycle may repeat 9999 times
+constexpr int kMaxAlarms = 500;              // an alarm a block
+constexpr int kMaxMotionActions = 400;       // for the motion stages
+constexpr std::uint64_t kMaxCycles = 5'000;  // of 100 ms
+constexpr double kArcTolerance_mm = 0.02;
+
+void require(bool holds, const char* promise) {
+  if (holds) return;
+  std::fprintf(stderr, "broken promise: %s\n", promise);
+  std::abort();
+}
+
+Controller controller(std::vector<std::string> assignments) {
+  kerf::SetupOptions options;
+  options.dialect = "dgshape";
+  options.assignments = std::move(assignments);
+  options.assignments.insert(options.assignments.end(),
+                             {"machine.cycle_ms=100", "tools.1.radius=2", "tools.1.length=5"});
+  auto made = kerf::make_controller(options);
+  if (!made) {
+    for (const auto& error : made.error()) std::fprintf(stderr, "%s\n", error.message.c_str());
+    std::abort();
+  }
+  return std::move(*made);
+}
+
+const Controller& controller_for(std::string_view text) {
+  static const std::array<Controller, 5> kControllers{
+      controller({}),
+      controller({"dgshape.decimal_point=all", "dgshape.offset_type=b", "dgshape.block_skip=true"}),
+      controller({"dgshape.decimal_point=ijkrxyza", "dgshape.over_travel=clip", "dgshape.strict=true",
+                  "axes.X.limits=[-50,200]", "axes.Z.limits=[-20,30]", "offsets.G54.X=10"}),
+      controller({"dgshape.rotary_unit=false", "dgshape.tool_changer=false", "dgshape.air_blower=false",
+                  "dgshape.spindle_interlock=true", "dgshape.no_feed=minimum", "dgshape.optional_stop=true"}),
+      controller({"dgshape.decimal_point=f", "dgshape.cycle_spindle_stop=true",
+                  "dgshape.cycle_no_peck=single", "dgshape.rapid_axes=2", "dgshape.rapid_axes_over=split",
+                  "dgshape.g10_volatile=true", "dgshape.shift_volatile=true", "dgshape.arc_tolerance=0"}),
+  };
+  std::uint32_t hash = 2166136261U;  // FNV-1a
+  for (char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
+  return kControllers[hash % kControllers.size()];
+}
+
+bool is_finite(const kerf::AxisVector& position) {
+  for (double value : position.values) {
+    if (!std::isfinite(value)) return false;
+  }
+  return true;
+}
+
+void check_arc(const Move& move) {
+  const auto distance = [&](const kerf::AxisVector& point) {
+    return std::hypot(point[move.plane.first] - move.arc.center[0],
+                      point[move.plane.second] - move.arc.center[1]);
+  };
+  require(move.arc.radius > 0.0 && std::isfinite(move.arc.sweep), "an arc has a radius and a sweep");
+  require((move.arc.sweep > 0.0) == (move.mode == kerf::MoveMode::counterclockwise), "the sign of a sweep");
+  const double rounding = move.arc.radius * 1e-9;
+  require(std::abs(distance(move.start) - move.arc.radius) <= kArcTolerance_mm + rounding, "an arc's start");
+  require(std::abs(distance(move.end) - move.arc.radius) <= kArcTolerance_mm + rounding, "an arc's end");
+}
+
+/// What must hold of every action, in the order they come.
+class Promises {
+ public:
+  explicit Promises(std::string_view text) : text_(text) {}
+
+  void check(const Action& action) {
+    if (const auto* alarm = std::get_if<kerf::Alarm>(&action.what)) check_alarm(*alarm);
+    if (const auto* move = std::get_if<Move>(&action.what)) check_move(*move);
+  }
+
+ private:
+  void check_alarm(const kerf::Alarm& alarm) const {
+    require(alarm.kind != nullptr, "an alarm has a kind");
+    require(alarm.span.offset <= text_.size(), "an alarm lies inside the text");
+    // A fault at the very end may point at the line feed that Source keeps behind the text.
+    require(alarm.span.length <= text_.size() + 1 - alarm.span.offset, "an alarm's span ends inside the text");
+    require(!kerf::message_of(alarm).empty() && !kerf::remedy_of(alarm).empty(),
+            "an alarm says why and what to do");
+  }
+  void check_move(const Move& move) {
+    require(is_finite(move.start) && is_finite(move.end) && is_finite(move.commanded),
+            "positions are finite");
+    require(std::isfinite(move.feed), "feeds are finite");
+    require(!has_position_ || move.start == position_, "a move starts where the one before it ended");
+    position_ = move.end;
+    has_position_ = true;
+    if (kerf::is_arc(move.mode)) check_arc(move);
+  }
+
+  std::string_view text_;
+  bool has_position_ = false;
+  kerf::AxisVector position_;
+};
+
+void walk_path(const Controller& controller, const std::shared_ptr<const kerf::Source>& source) {
+  kerf::Interpreter interpreter(controller.rules, source, controller.interpreter_options);
+  const auto path = std::make_unique<kerf::Toolpath<kerf::Interpreter>>(interpreter, controller.machine,
+                                                                        controller.toolpath_policy);
+  Promises promises(source->text());
+  int alarms = 0;
+  for (int i = 0; i < kMaxActions && alarms < kMaxAlarms; ++i) {
+    const Action* action = path->next();
+    if (action == nullptr) return;
+    promises.check(*action);
+    if (std::holds_alternative<kerf::Alarm>(action->what)) {
+      ++alarms;
+      interpreter.recover();
+    }
+  }
+}
+
+void run_motion(const Controller& controller, const std::shared_ptr<const kerf::Source>& source) {
+  kerf::Interpreter interpreter(controller.rules, source, controller.interpreter_options);
+  const auto path = std::make_unique<kerf::Toolpath<kerf::Interpreter>>(interpreter, controller.machine,
+                                                                        controller.toolpath_policy);
+  int actions = 0;
+  const auto next = [&]() -> const Action* { return actions++ < kMaxMotionActions ? path->next() : nullptr; };
+  kerf::RunOptions options;
+  options.record = true;
+  options.progress_cycles = 1'000;
+  options.on_progress = [](const kerf::RunProgress& progress) { return progress.cycles < kMaxCycles; };
+  options.on_cycle = [](const kerf::Cycle& cycle, const kerf::AxisVector& actual) {
+    require(is_finite(cycle.position) && is_finite(cycle.velocity) && is_finite(actual), "cycles are finite");
+  };
+  const kerf::RunRecord record = kerf::run(next, controller.machine, controller.feed_policy, options);
+  require(std::isfinite(record.summary.time_s) && record.summary.time_s >= 0.0, "the time of a run");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  const Controller& controller = controller_for(text);
+  const auto source = kerf::Source::from_text("fuzz.nc", text);
+  walk_path(controller, source);
+  run_motion(controller, source);
+  return 0;
+}

@@ -1,0 +1,97 @@
+// kerf check: every alarm of the programs, without motion planning.
+
+#include <fmt/format.h>
+#include <memory>
+#include <unistd.h>
+
+#include "cli/commands.hpp"
+#include "cli/console.hpp"
+#include "cli/exit_status.hpp"
+#include "cli/job.hpp"
+#include "report/diagnostic.hpp"
+
+namespace kerf {
+namespace {
+
+struct CheckOptions {
+  CommonOptions common;
+  std::vector<std::string> files;
+  int max_alarms = 20;
+};
+
+struct Counts {
+  int alarms = 0;
+  int warnings = 0;
+};
+
+std::string count_text(int count, std::string_view noun) {
+  if (count == 0) return fmt::format("no {}s", noun);
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+Counts check_program(const Prepared& prepared, const CheckOptions& options, ResultStream& out) {
+  const Source& source = *prepared.source;
+  const DiagnosticStyle style = style_of_stream(STDOUT_FILENO, options.common.color);
+  auto job = std::make_unique<Job>(prepared.controller, prepared.source);
+  ProgressLine progress;
+  Counts counts;
+  std::uint32_t seen = 0;
+  while (const Action* action = job->next()) {
+    if ((++seen & 0xFFFU) == 0) progress.show(share_read(source, *action), source.name());
+    const auto* alarm = std::get_if<Alarm>(&action->what);
+    if (alarm == nullptr) continue;
+    const bool stops = alarm->kind->severity == Severity::alarm;
+    (stops ? counts.alarms : counts.warnings) += 1;
+    append_diagnostic(out.text(), source.name(), source.text(), *alarm, style);
+    out.text() += '\n';
+    out.overflow();
+    if (counts.alarms >= options.max_alarms) {
+      out.text() += fmt::format("{}: more than {} alarms, the rest is not checked (--max-alarms)\n",
+                                source.name(), options.max_alarms);
+      break;
+    }
+    if (stops) job->recover();
+  }
+  out.text() += fmt::format("{}: {}, {}, {} executed\n", source.name(), count_text(counts.alarms, "alarm"),
+                            count_text(counts.warnings, "warning"),
+                            count_text(static_cast<int>(job->interpreter().blocks()), "block"));
+  return counts;
+}
+
+int check(const CheckOptions& options) {
+  ResultStream out;
+  int status = kExitGood;
+  for (const std::string& file : options.files) {
+    const auto prepared = prepare(file, options.common);
+    if (!prepared) {
+      status = kExitUsage;
+      continue;
+    }
+    const Counts counts = check_program(*prepared, options, out);
+    if (counts.alarms > 0 && status == kExitGood) status = kExitAlarm;
+  }
+  out.flush();
+  return out.good() ? status : kExitUsage;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, CommandAction& action) {
+  auto options = std::make_shared<CheckOptions>();
+  CLI::App* command = app.add_subcommand("check", "Check programs: every alarm with place, cause and remedy");
+  command->add_option("FILE", options->files, "NC programs (- for standard input)")
+      ->required()
+      ->type_name("");
+  command->add_option("--max-alarms", options->max_alarms, "Stop checking a program after so many alarms")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1'000'000));
+  add_program_options(*command, options->common);
+  command->footer(
+      "Examples:\n"
+      "  kerf check part.nc\n"
+      "  kerf check --machine mill.toml *.nc\n"
+      "  kerf check part.nc --set dgshape.decimal_point=all");
+  command->callback([&action, options] { action = [options] { return check(*options); }; });
+}
+
+}  // namespace kerf

@@ -1,0 +1,63 @@
+// kerf codes: every word the dialect knows.
+
+#include <fmt/format.h>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.hpp"
+#include "cli/console.hpp"
+#include "cli/exit_status.hpp"
+#include "cli/job.hpp"
+
+namespace kerf {
+namespace {
+
+struct CodesOptions {
+  CommonOptions common;
+  bool json = false;
+};
+
+void append_codes_json(std::string& out, const Dialect& dialect) {
+  for (const CodeRow& row : dialect.codes) {
+    nlohmann::ordered_json line{{"word", row.word}};
+    if (!row.group_name.empty()) line["group"] = row.group_name;
+    line["modality"] = row.modality;
+    line["name"] = row.name;
+    line["format"] = row.format;
+    out += line.dump();
+    out += '\n';
+  }
+}
+
+void append_codes_text(std::string& out, const Dialect& dialect) {
+  out += fmt::format("{}: every word\n", dialect.title);
+  std::string_view group = "?";
+  for (const CodeRow& row : dialect.codes) {
+    const std::string_view heading = row.group_name.empty() ? row.modality : row.group_name;
+    if (heading != group) out += fmt::format("\n{}\n", heading);
+    group = heading;
+    out += fmt::format("  {:<6}{:<42}{}\n", row.word, row.name, row.format);
+  }
+}
+
+int codes(const CodesOptions& options) {
+  const auto controller = prepare_controller(options.common);
+  if (!controller) return kExitUsage;
+  ResultStream out;
+  (options.json ? append_codes_json : append_codes_text)(out.text(), *controller->dialect);
+  out.flush();
+  return out.good() ? kExitGood : kExitUsage;
+}
+
+}  // namespace
+
+void add_codes(CLI::App& app, CommandAction& action) {
+  auto options = std::make_shared<CodesOptions>();
+  CLI::App* command = app.add_subcommand("codes", "List every G, M and other word with group and format");
+  command->add_flag("--json", options->json, "JSON Lines, one word a line");
+  add_machine_options(*command, options->common);
+  command->footer("Example:\n  kerf codes --dialect dgshape");
+  command->callback([&action, options] { action = [options] { return codes(*options); }; });
+}
+
+}  // namespace kerf

@@ -1,0 +1,81 @@
+#include "cli/job.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "machine/settings_file.hpp"
+
+namespace kerf {
+namespace {
+
+bool read_machine_file(const CommonOptions& options, SetupOptions& setup) {
+  if (!options.machine_file) return true;
+  const auto file = Source::open(*options.machine_file);
+  if (!file) {
+    print_error(file.error().message, file.error().remedy);
+    return false;
+  }
+  setup.machine_text = std::string((*file)->text().substr(0, kLargestMachineFile + 1));
+  setup.machine_file = *options.machine_file;
+  return true;
+}
+
+std::optional<Controller> make(const CommonOptions& options, std::string_view name, std::string_view text) {
+  SetupOptions setup;
+  setup.dialect = options.dialect;
+  setup.assignments = options.assignments;
+  setup.optional_stop = options.optional_stop;
+  setup.block_skip = options.block_skip;
+  if (!read_machine_file(options, setup)) return std::nullopt;
+  auto controller = make_controller(setup, name, text);
+  if (!controller) {
+    for (const SettingsError& error : controller.error()) print_error(error_text(error));
+    return std::nullopt;
+  }
+  return std::move(*controller);
+}
+
+/// Text that no controller could take for a program: nothing at all, or binary data.
+std::optional<std::string> not_a_program(const Source& source) {
+  const std::string_view text = source.text();
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+    return fmt::format("{} is empty, so there is no program to run", source.name());
+  }
+  constexpr std::size_t kHead = 4096;
+  if (text.substr(0, kHead).find('\0') != std::string_view::npos) {
+    return fmt::format("{} is binary data, not an NC program", source.name());
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Prepared> prepare(const std::string& file, const CommonOptions& options) {
+  auto source = Source::open(file);
+  if (!source) {
+    print_error(source.error().message, source.error().remedy);
+    return std::nullopt;
+  }
+  if (const auto why = not_a_program(**source)) {
+    print_error(*why, "name a text file with NC code");
+    return std::nullopt;
+  }
+  auto controller = make(options, file, (*source)->text());
+  if (!controller) return std::nullopt;
+  if (options.verbose) {
+    fmt::print(stderr, "kerf: {} as {} on machine '{}'\n", file, controller->dialect->title,
+               controller->machine.name);
+  }
+  return Prepared{std::move(*source), std::move(*controller)};
+}
+
+std::optional<Controller> prepare_controller(const CommonOptions& options) {
+  return make(options, {}, {});
+}
+
+double share_read(const Source& source, const Action& action) {
+  const double size = static_cast<double>(std::max<std::size_t>(source.text().size(), 1));
+  return static_cast<double>(action.origin.span.offset) / size;
+}
+
+}  // namespace kerf

@@ -1,0 +1,49 @@
+#pragma once
+// A program on a controller, ready to be pulled: what check, path and run have in common.
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "cli/options.hpp"
+#include "dialect/setup.hpp"
+#include "execute/interpreter.hpp"
+#include "toolpath/toolpath.hpp"
+
+namespace kerf {
+
+/// Interpreter and toolpath passes over one program. Not movable: the toolpath points to the interpreter.
+class Job {
+ public:
+  Job(const Controller& controller, std::shared_ptr<const Source> source)
+      : interpreter_(controller.rules, std::move(source), controller.interpreter_options),
+        toolpath_(interpreter_, controller.machine, controller.toolpath_policy) {}
+  Job(const Job&) = delete;
+  Job& operator=(const Job&) = delete;
+
+  const Action* next() { return toolpath_.next(); }
+  /// After an alarm: go on with the next block.
+  void recover() { interpreter_.recover(); }
+  const Interpreter& interpreter() const { return interpreter_; }
+
+ private:
+  Interpreter interpreter_;
+  Toolpath<Interpreter> toolpath_;
+};
+
+/// What a command needs before it can make a Job.
+struct Prepared {
+  std::shared_ptr<const Source> source;
+  Controller controller;
+};
+
+/// Reads program and machine file. On failure the errors are on standard error and nothing is returned.
+std::optional<Prepared> prepare(const std::string& file, const CommonOptions& options);
+
+/// The controller alone, for commands without a program.
+std::optional<Controller> prepare_controller(const CommonOptions& options);
+
+/// The share of the program read when an action came, 0 to 1.
+double share_read(const Source& source, const Action& action);
+
+}  // namespace kerf

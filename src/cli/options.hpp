@@ -1,0 +1,29 @@
+#pragma once
+// Options that several subcommands share.
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/console.hpp"
+
+namespace kerf {
+
+struct CommonOptions {
+  std::optional<std::string> dialect;
+  std::optional<std::string> machine_file;
+  std::vector<std::string> assignments;
+  bool optional_stop = false;
+  bool block_skip = false;
+  std::optional<std::string> program_dir;
+  ColorChoice color = ColorChoice::automatic;
+  bool verbose = false;
+};
+
+/// --dialect, --machine, --set
+void add_machine_options(CLI::App& command, CommonOptions& options);
+/// The above and --optional-stop, --block-skip, --program-dir, --color, -v
+void add_program_options(CLI::App& command, CommonOptions& options);
+
+}  // namespace kerf

@@ -1,0 +1,122 @@
+// kerf path: the executed toolpath as a table or as JSON Lines.
+
+#include <fmt/format.h>
+#include <memory>
+#include <unistd.h>
+
+#include "cli/commands.hpp"
+#include "cli/console.hpp"
+#include "cli/exit_status.hpp"
+#include "cli/job.hpp"
+#include "report/diagnostic.hpp"
+#include "report/json_lines.hpp"
+#include "report/path_table.hpp"
+
+namespace kerf {
+namespace {
+
+struct PathOptions {
+  CommonOptions common;
+  std::string file;
+  bool json = false;
+  bool quiet = false;
+};
+
+struct PathCounts {
+  std::uint64_t moves = 0;
+  std::uint64_t rapid = 0;
+  std::uint64_t arcs = 0;
+  int alarms = 0;
+  int warnings = 0;
+
+  void add(const Action& action) {
+    if (const auto* move = std::get_if<Move>(&action.what)) {
+      ++moves;
+      rapid += move->mode == MoveMode::rapid ? 1 : 0;
+      arcs += is_arc(move->mode) ? 1 : 0;
+    } else if (const auto* alarm = std::get_if<Alarm>(&action.what)) {
+      (alarm->kind->severity == Severity::alarm ? alarms : warnings) += 1;
+    }
+  }
+};
+
+/// Pulls the whole program through `visit(action)`; the counts of what came.
+template <class Visit>
+PathCounts pull(Job& job, const Source& source, Visit visit) {
+  ProgressLine progress;
+  PathCounts counts;
+  std::uint32_t seen = 0;
+  while (const Action* action = job.next()) {
+    if ((++seen & 0xFFFFU) == 0) progress.show(share_read(source, *action), source.name());
+    counts.add(*action);
+    visit(*action);
+  }
+  return counts;
+}
+
+void report_alarm(const Action& action, const Source& source, const PathOptions& options) {
+  const auto* alarm = std::get_if<Alarm>(&action.what);
+  if (alarm == nullptr) return;
+  const std::string text = diagnostic_text(source.name(), source.text(), *alarm,
+                                           style_of_stream(STDERR_FILENO, options.common.color));
+  fmt::print(stderr, "{}", text);
+}
+
+PathCounts print_path(const PathOptions& options, const Prepared& prepared, Job& job, ResultStream& out) {
+  const Source& source = *prepared.source;
+  const FeedPolicy& policy = prepared.controller.feed_policy;
+  const auto feed = [&policy](const Move& move) { return policy.effective(move.feed); };
+  if (options.json) {
+    const JsonLines lines(prepared.controller.machine, feed);
+    return pull(job, source, [&](const Action& action) {
+      lines.write(action, out.text());
+      out.overflow();
+    });
+  }
+  PathTable table(prepared.controller.machine, feed);
+  table.header(out.text());
+  return pull(job, source, [&](const Action& action) {
+    table.write(action, out.text());
+    out.overflow();
+    report_alarm(action, source, options);
+  });
+}
+
+int path(const PathOptions& options) {
+  const auto prepared = prepare(options.file, options.common);
+  if (!prepared) return kExitUsage;
+  ResultStream out;
+  const auto job = std::make_unique<Job>(prepared->controller, prepared->source);
+  PathCounts counts;
+  if (options.quiet) {
+    counts = pull(*job, *prepared->source,
+                  [&](const Action& action) { report_alarm(action, *prepared->source, options); });
+    out.text() += fmt::format("blocks {}\nmoves {}\nrapid {}\narcs {}\nwarnings {}\nalarms {}\n",
+                              job->interpreter().blocks(), counts.moves, counts.rapid, counts.arcs,
+                              counts.warnings, counts.alarms);
+  } else {
+    counts = print_path(options, *prepared, *job, out);
+  }
+  out.flush();
+  if (!out.good()) return kExitUsage;
+  return counts.alarms > 0 ? kExitAlarm : kExitGood;
+}
+
+}  // namespace
+
+void add_path(CLI::App& app, CommandAction& action) {
+  auto options = std::make_shared<PathOptions>();
+  CLI::App* command = app.add_subcommand("path", "Print where the tool really goes, step by step");
+  command->add_option("FILE", options->file, "NC program (- for standard input)")->required()->type_name("");
+  auto* json = command->add_flag("--json", options->json, "JSON Lines, one event a line");
+  command->add_flag("--quiet", options->quiet, "Execute and print only the counts")->excludes(json);
+  add_program_options(*command, options->common);
+  command->footer(
+      "Examples:\n"
+      "  kerf path part.nc\n"
+      "  kerf path part.nc --json | jq 'select(.event==\"move\") | .end'\n"
+      "  kerf path part.nc --set tools.1.radius=3");
+  command->callback([&action, options] { action = [options] { return path(*options); }; });
+}
+
+}  // namespace kerf

@@ -1,0 +1,232 @@
+// kerf run: the program on the simulated machine in virtual time.
+
+#include "motion/run.hpp"
+
+#include <chrono>
+#include <fmt/format.h>
+#include <memory>
+#include <optional>
+#include <thread>
+#include <unistd.h>
+
+#include "cli/commands.hpp"
+#include "cli/console.hpp"
+#include "cli/exit_status.hpp"
+#include "cli/job.hpp"
+#include "cli/version.hpp"
+#include "report/atomic_file.hpp"
+#include "report/diagnostic.hpp"
+#include "report/html_report.hpp"
+#include "report/summary.hpp"
+#include "report/svg_plot.hpp"
+#include "report/trace_csv.hpp"
+
+namespace kerf {
+namespace {
+
+struct RunCommandOptions {
+  CommonOptions common;
+  std::string file;
+  bool json = false;
+  bool realtime = false;
+  std::optional<std::string> plot;
+  std::optional<std::string> report;
+  std::optional<std::string> trace;
+};
+
+bool file_failed(const FileError& error) {
+  print_error(error.message, error.remedy);
+  return true;
+}
+
+/// The trace file while the program runs: rows are collected and written in large pieces.
+class TraceFile {
+ public:
+  TraceFile(AtomicFile file, const Machine& machine) : file_(std::move(file)), csv_(machine.axes) {
+    csv_.header(text_);
+  }
+
+  void add(const Cycle& cycle, const AxisVector& actual) {
+    if (error_) return;
+    TraceRow row{cycle.time_s, cycle.origin.span.line, cycle.path_speed_mm_min, cycle.position, actual, {}};
+    for (std::size_t i = 0; i < kAxisCount; ++i)
+      row.velocity_per_min.values[i] = cycle.velocity.values[i] * 60.0;
+    csv_.row(row, text_);
+    constexpr std::size_t kChunk = std::size_t{1} << 20;
+    if (text_.size() >= kChunk) write();
+  }
+
+  /// False: the message is on standard error.
+  bool finish() {
+    write();
+    if (!error_) {
+      if (auto done = file_.commit(); !done) error_ = done.error();
+    }
+    return !error_ || !file_failed(*error_);
+  }
+
+ private:
+  void write() {
+    if (error_) return;
+    if (auto written = file_.write(text_); !written) error_ = written.error();
+    text_.clear();
+  }
+
+  AtomicFile file_;
+  TraceCsv csv_;
+  std::string text_;
+  std::optional<FileError> error_;
+};
+
+/// Holds virtual time back to the clock on the wall.
+class Pace {
+ public:
+  void wait_until(double time_s) {
+    std::this_thread::sleep_until(
+        start_ + std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(time_s)));
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// All output files are opened before the run, so that a bad name costs no waiting.
+struct Outputs {
+  std::optional<AtomicFile> plot;
+  std::optional<AtomicFile> report;
+  std::optional<TraceFile> trace;
+};
+
+bool open_file(const std::optional<std::string>& name, std::optional<AtomicFile>& file) {
+  if (!name) return true;
+  auto opened = AtomicFile::open(*name);
+  if (!opened) return !file_failed(opened.error());
+  file = std::move(*opened);
+  return true;
+}
+
+bool open_outputs(const RunCommandOptions& options, const Machine& machine, Outputs& outputs) {
+  std::optional<AtomicFile> trace;
+  if (!open_file(options.plot, outputs.plot) || !open_file(options.report, outputs.report) ||
+      !open_file(options.trace, trace)) {
+    return false;
+  }
+  if (trace) outputs.trace.emplace(std::move(*trace), machine);
+  return true;
+}
+
+bool write_whole(AtomicFile& file, std::string_view text) {
+  if (auto written = file.write(text); !written) return !file_failed(written.error());
+  if (auto done = file.commit(); !done) return !file_failed(done.error());
+  return true;
+}
+
+RunRecord play(const RunCommandOptions& options, const Prepared& prepared, Outputs& outputs) {
+  const auto job = std::make_unique<Job>(prepared.controller, prepared.source);
+  ProgressLine progress;
+  Pace pace;
+  double share = 0.0;
+  std::uint32_t seen = 0;
+  RunOptions run_options;
+  run_options.record = options.plot.has_value() || options.report.has_value();
+  if (outputs.trace || options.realtime) {
+    run_options.on_cycle = [&](const Cycle& cycle, const AxisVector& actual) {
+      if (outputs.trace) outputs.trace->add(cycle, actual);
+      if (options.realtime) pace.wait_until(cycle.time_s);
+    };
+  }
+  run_options.on_progress = [&](const RunProgress& at) {
+    progress.show(share, fmt::format("{}  {:.1f} s of machine time", prepared.source->name(), at.time_s));
+    return true;
+  };
+  const auto next = [&]() -> const Action* {
+    const Action* action = job->next();
+    if (action != nullptr && (++seen & 0xFFU) == 0) share = share_read(*prepared.source, *action);
+    return action;
+  };
+  return run(next, prepared.controller.machine, prepared.controller.feed_policy, run_options);
+}
+
+bool write_pictures(const RunCommandOptions& options, const Prepared& prepared, const RunRecord& record,
+                    Outputs& outputs) {
+  const Machine& machine = prepared.controller.machine;
+  const std::string maker = fmt::format("kerf {}", version());
+  bool good = true;
+  if (outputs.plot) {
+    good = write_whole(*outputs.plot, svg_plot(record, machine, {options.file, maker})) && good;
+  }
+  if (outputs.report) {
+    const ReportInput input{{},
+                            options.file,
+                            std::string(prepared.controller.dialect->title),
+                            maker,
+                            prepared.source->text(),
+                            {},
+                            record,
+                            machine};
+    good = write_whole(*outputs.report, html_report(input)) && good;
+  }
+  return good;
+}
+
+int status_of(const RunSummary& summary) {
+  for (const Alarm& alarm : summary.alarms) {
+    if (alarm.kind->severity == Severity::alarm) return kExitAlarm;
+  }
+  return summary.stalled ? kExitAlarm : kExitGood;
+}
+
+int run_program(const RunCommandOptions& options) {
+  const auto prepared = prepare(options.file, options.common);
+  if (!prepared) return kExitUsage;
+  Outputs outputs;
+  if (!open_outputs(options, prepared->controller.machine, outputs)) return kExitUsage;
+  const RunRecord record = play(options, *prepared, outputs);
+
+  ResultStream out;
+  for (const Alarm& alarm : record.summary.alarms) {
+    fmt::print(stderr, "{}\n",
+               diagnostic_text(prepared->source->name(), prepared->source->text(), alarm,
+                               style_of_stream(STDERR_FILENO, options.common.color)));
+  }
+  if (record.summary.stalled) {
+    print_error("the run ended at a move whose feed is 0: it would never end",
+                "raise the feed override or the lowest feed rate");
+  }
+  if (options.json) {
+    append_summary_json(out.text(), record.summary);
+  } else {
+    append_summary(out.text(), record.summary, prepared->controller.machine);
+  }
+  out.flush();
+  bool good = write_pictures(options, *prepared, record, outputs);
+  if (outputs.trace) good = outputs.trace->finish() && good;
+  if (!good || !out.good()) return kExitUsage;
+  return status_of(record.summary);
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, CommandAction& action) {
+  auto options = std::make_shared<RunCommandOptions>();
+  CLI::App* command =
+      app.add_subcommand("run", "Play a program on the simulated machine: time, path, pictures");
+  command->add_option("FILE", options->file, "NC program (- for standard input)")->required()->type_name("");
+  command->add_flag("--json", options->json, "Print the summary as one JSON object");
+  command->add_option("--plot", options->plot, "Write a picture of the toolpath")->type_name("OUT.svg");
+  command->add_option("--report", options->report, "Write a report: one page that needs no network")
+      ->type_name("OUT.html");
+  command->add_option("--trace", options->trace, "Write one row for each control cycle")
+      ->type_name("OUT.csv");
+  command->add_flag("--realtime", options->realtime, "Run at the speed of the machine");
+  add_program_options(*command, options->common);
+  command->footer(
+      "Examples:\n"
+      "  kerf run part.nc\n"
+      "  kerf run part.nc --report part.html --plot part.svg\n"
+      "  kerf run part.nc --trace part.csv --set machine.cycle_ms=0.5\n"
+      "  kerf run part.nc --json --set axes.X.acceleration=1500");
+  command->callback([&action, options] { action = [options] { return run_program(*options); }; });
+}
+
+}  // namespace kerf

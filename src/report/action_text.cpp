@@ -1,0 +1,59 @@
+#include "report/action_text.hpp"
+
+#include <fmt/format.h>
+
+#include "report/alarm_text.hpp"
+#include "report/number_text.hpp"
+
+namespace kerf {
+namespace {
+
+struct Describer {
+  std::string operator()(const Move& move) const {
+    switch (move.mode) {
+      case MoveMode::rapid:
+        return "rapid";
+      case MoveMode::linear:
+        return "line";
+      case MoveMode::clockwise:
+        return "arc cw";
+      case MoveMode::counterclockwise:
+        return "arc ccw";
+    }
+    return {};
+  }
+  std::string operator()(const CornerArc&) const { return "corner arc"; }
+  std::string operator()(const Dwell& dwell) const {
+    return "dwell " + rounded_text(dwell.seconds, 3) + " s";
+  }
+  std::string operator()(const Auxiliary& auxiliary) const { return fmt::format("M{}", auxiliary.code); }
+  std::string operator()(const Spindle& spindle) const {
+    switch (spindle.direction) {
+      case SpindleDirection::off:
+        return "spindle off";
+      case SpindleDirection::orient:
+        return "spindle orient";
+      case SpindleDirection::clockwise:
+        return "spindle cw " + rounded_text(spindle.rpm, 3) + " rpm";
+      case SpindleDirection::counterclockwise:
+        return "spindle ccw " + rounded_text(spindle.rpm, 3) + " rpm";
+    }
+    return {};
+  }
+  std::string operator()(const ToolChange& change) const {
+    return change.number == 0 ? "tool put back" : fmt::format("tool {}", change.number);
+  }
+  std::string operator()(const Stop& stop) const { return stop.optional ? "optional stop" : "stop"; }
+  std::string operator()(const End&) const { return "end"; }
+  std::string operator()(const Alarm& alarm) const {
+    return fmt::format("{} {}", severity_word(alarm.kind->severity), short_name(*alarm.kind));
+  }
+};
+
+}  // namespace
+
+std::string describe(const ActionVariant& what) {
+  return std::visit(Describer{}, what);
+}
+
+}  // namespace kerf

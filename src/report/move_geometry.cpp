@@ -1,0 +1,138 @@
+#include "report/move_geometry.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace kerf {
+namespace {
+
+constexpr double kRadians = std::numbers::pi / 180.0;
+constexpr double kSamePlace_mm = 1e-6;
+
+bool moves_only_z(const Move& move) {
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    if (i == index(Axis::Z)) continue;
+    if (std::abs(move.end.values[i] - move.start.values[i]) > kSamePlace_mm) return false;
+  }
+  return !is_arc(move.mode);
+}
+
+/// Follows successive moves that go only up and down at one place, until the tool leaves it.
+class HoleFinder {
+ public:
+  explicit HoleFinder(std::vector<Hole>& holes) : holes_(holes) {}
+
+  void follow(const Move& move) {
+    if (!moves_only_z(move)) {
+      leave();
+      return;
+    }
+    const double start = move.start[Axis::Z];
+    const double end = move.end[Axis::Z];
+    const bool feeds_down = move.mode == MoveMode::linear && end < start - kSamePlace_mm;
+    if (feeds_down && !drilling_) feed_start_ = start;
+    drilling_ = drilling_ || feeds_down;
+    if (feeds_down) bottom_ = std::min(bottom_, end);
+    at_ = {move.end[Axis::X], move.end[Axis::Y]};
+    height_ = end;
+  }
+
+  void leave() {
+    const bool came_back = drilling_ && height_ >= feed_start_ - kSamePlace_mm;
+    if (came_back) holes_.push_back({at_, bottom_});
+    drilling_ = false;
+    bottom_ = std::numeric_limits<double>::infinity();
+  }
+
+ private:
+  std::vector<Hole>& holes_;
+  bool drilling_ = false;    ///< fed downwards since the tool came here
+  double feed_start_ = 0.0;  ///< where the first feed downwards began
+  double bottom_ = std::numeric_limits<double>::infinity();
+  double height_ = 0.0;
+  Point2 at_;
+};
+
+}  // namespace
+
+AxisVector position_at(const Move& move, double fraction) {
+  AxisVector position;
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    position.values[i] = move.start.values[i] + fraction * (move.end.values[i] - move.start.values[i]);
+  }
+  // The end itself, not what rounding makes of it.
+  if (!is_arc(move.mode) || fraction <= 0.0 || fraction >= 1.0) return position;
+  const double first = move.start[move.plane.first] - move.arc.center[0];
+  const double second = move.start[move.plane.second] - move.arc.center[1];
+  const double end_radius = std::hypot(move.end[move.plane.first] - move.arc.center[0],
+                                       move.end[move.plane.second] - move.arc.center[1]);
+  const double radius = std::hypot(first, second) * (1.0 - fraction) + end_radius * fraction;
+  const double angle = std::atan2(second, first) + fraction * move.arc.sweep * kRadians;
+  position[move.plane.first] = move.arc.center[0] + radius * std::cos(angle);
+  position[move.plane.second] = move.arc.center[1] + radius * std::sin(angle);
+  return position;
+}
+
+bool appears_round(const Move& move, View view) {
+  const Plane& plane = move.plane;
+  return is_arc(move.mode) && ((plane.first == view.horizontal && plane.second == view.vertical) ||
+                               (plane.first == view.vertical && plane.second == view.horizontal));
+}
+
+bool turns_clockwise(const Move& move, View view) {
+  const bool mirrored = move.plane.first == view.vertical;
+  return (move.arc.sweep < 0.0) != mirrored;
+}
+
+int chord_count(const Move& move) {
+  if (!is_arc(move.mode)) return 1;
+  constexpr double kDegreesPerChord = 6.0;
+  constexpr double kMostChords = 720.0;
+  return static_cast<int>(
+      std::clamp(std::ceil(std::abs(move.arc.sweep) / kDegreesPerChord), 2.0, kMostChords));
+}
+
+bool is_drawable(const Move& move) {
+  bool finite = true;
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    finite = finite && std::isfinite(move.start.values[i]) && std::isfinite(move.end.values[i]);
+  }
+  if (is_arc(move.mode)) {
+    finite = finite && std::isfinite(move.arc.center[0]) && std::isfinite(move.arc.center[1]) &&
+             std::isfinite(move.arc.sweep);
+  }
+  return finite;
+}
+
+RunExtents extents_of(const std::vector<TimedAction>& actions) {
+  RunExtents extents;
+  for (const TimedAction& timed : actions) {
+    const auto* move = std::get_if<Move>(&timed.action.what);
+    if (move == nullptr || !is_drawable(*move)) continue;
+    extents.empty = false;
+    // Enough chords that no arc leaves the extent by more than 0.03 % of its radius.
+    const int parts = is_arc(move->mode) ? 2 * chord_count(*move) : 1;
+    for (int part = 0; part <= parts; ++part) {
+      const AxisVector position = position_at(*move, static_cast<double>(part) / parts);
+      for (std::size_t i = 0; i < kAxisCount; ++i) {
+        extents.all[i].include(position.values[i]);
+        if (move->mode != MoveMode::rapid) extents.cutting[i].include(position.values[i]);
+      }
+    }
+  }
+  return extents;
+}
+
+std::vector<Hole> find_holes(const std::vector<TimedAction>& actions) {
+  std::vector<Hole> holes;
+  HoleFinder finder(holes);
+  for (const TimedAction& timed : actions) {
+    const auto* move = std::get_if<Move>(&timed.action.what);
+    if (move != nullptr && is_drawable(*move)) finder.follow(*move);
+  }
+  finder.leave();
+  return holes;
+}
+
+}  // namespace kerf
