@@ -191,6 +191,9 @@ TEST(MachineFile, ValuesOutOfRange) {
     EXPECT_EQ(errors_of(std::string("[axes.X]\nrapid = ") + number + "\n").size(), 1U) << number;
   }
   EXPECT_EQ(errors_of("[axes.X]\nlimits = [nan, 5]\n").size(), 1U);
+  // An integer that no double holds exactly is still compared with the range.
+  EXPECT_EQ(errors_of("[axes.X]\nlimits = [-9007199254740993, 5]\n").at(0).substr(0, 30),
+            "m.toml:2:10: 'axes.X.limits' =");
 }
 
 TEST(MachineFile, BadWords) {

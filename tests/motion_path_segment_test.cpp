@@ -87,21 +87,19 @@ TEST(PathSegment, DerivativesOfAHelixAgreeWithDifferences) {
   const double speed = 3.0;
   const double acceleration = 5.0;
   const double step = 1e-4;
-  const auto evaluate_at = [&](double t, AxisVector& velocity, AxisVector& accelerations) {
-    AxisVector position;
+  const auto evaluate_at = [&](double t) {
+    PathPoint point;
     evaluate(segment, 4.0 + (speed + 0.5 * acceleration * t) * t, speed + acceleration * t, acceleration,
-             position, velocity, accelerations);
-    return position;
+             point);
+    return point;
   };
-  AxisVector velocity;
-  AxisVector accelerations;
-  AxisVector ignored;
-  const AxisVector here = evaluate_at(0.0, velocity, accelerations);
-  const AxisVector before = evaluate_at(-step, ignored, ignored);
-  const AxisVector after = evaluate_at(step, ignored, ignored);
+  const PathPoint here = evaluate_at(0.0);
+  const AxisVector before = evaluate_at(-step).position;
+  const AxisVector after = evaluate_at(step).position;
   for (const Axis axis : machine.axes) {
-    EXPECT_NEAR(velocity[axis], (after[axis] - before[axis]) / (2.0 * step), 1e-5);
-    EXPECT_NEAR(accelerations[axis], (after[axis] - 2.0 * here[axis] + before[axis]) / (step * step), 1e-4);
+    EXPECT_NEAR(here.velocity[axis], (after[axis] - before[axis]) / (2.0 * step), 1e-5);
+    EXPECT_NEAR(here.acceleration[axis],
+                (after[axis] - 2.0 * here.position[axis] + before[axis]) / (step * step), 1e-4);
   }
 }
 
@@ -115,14 +113,12 @@ TEST(PathSegment, ArcWhoseEndLiesOffTheCircleEndsAtTheEndPoint) {
   move.arc = {{0.0, 0.0}, 10.0, 90.0};
   PathSegment segment;
   set_path(segment, move, make_axis_limits(machine), move.feed);
-  AxisVector position;
-  AxisVector velocity;
-  AxisVector acceleration;
-  evaluate(segment, segment.length, 1.0, 0.0, position, velocity, acceleration);
-  EXPECT_NEAR(position[Axis::X], 0.0, 1e-12);
-  EXPECT_NEAR(position[Axis::Y], 10.008, 1e-12);
-  evaluate(segment, 0.5 * segment.length, 1.0, 0.0, position, velocity, acceleration);
-  EXPECT_NEAR(std::hypot(position[Axis::X], position[Axis::Y]), 10.004, 1e-9);
+  PathPoint point;
+  evaluate(segment, segment.length, 1.0, 0.0, point);
+  EXPECT_NEAR(point.position[Axis::X], 0.0, 1e-12);
+  EXPECT_NEAR(point.position[Axis::Y], 10.008, 1e-12);
+  evaluate(segment, 0.5 * segment.length, 1.0, 0.0, point);
+  EXPECT_NEAR(std::hypot(point.position[Axis::X], point.position[Axis::Y]), 10.004, 1e-9);
 }
 
 TEST(PathSegment, RangeOfAnArcReachesItsQuarterPoints) {

@@ -59,6 +59,15 @@ TEST(SpeedProfile, WithoutAFeedTheMotionStopsAndNeverEnds) {
   EXPECT_EQ(p.at(1000.0).speed, 0.0);
 }
 
+TEST(SpeedProfile, NoLengthTakesNoTime) {
+  for (const double speed : {0.0, 5.0}) {
+    const SpeedProfile p = make_profile(0.0, speed, speed, 50.0, 500.0);
+    EXPECT_EQ(p.time3, 0.0);
+    EXPECT_EQ(p.at(0.0).speed, speed);
+    EXPECT_EQ(p.peak_until(0.0), speed);
+  }
+}
+
 TEST(SpeedProfile, TheCheckRejectsProfilesThatEndElsewhereOrOtherwise) {
   const SpeedProfile good = make_profile(100.0, 10.0, 20.0, 50.0, 500.0);
   EXPECT_TRUE(ends_as_planned(good));

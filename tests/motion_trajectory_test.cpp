@@ -269,6 +269,21 @@ TEST(Trajectory, TheClockWaitsWhileActionsAreMissing) {
   EXPECT_EQ(last, 100.0);
 }
 
+TEST(Trajectory, AStopReleasesEverythingBeforeIt) {
+  // The second line starts from rest, so nothing that may follow can change what comes before it.
+  const Path path =
+      Path().line(at({{Axis::X, 50.0}}), 3000.0).action(Dwell{0.75}).line(at({{Axis::X, 100.0}}), 3000.0);
+  Trajectory trajectory(machine_with({Axis::X}), FeedPolicy{});
+  for (const Action& action : path.actions()) trajectory.push(action);
+  Cycle cycle;
+  std::size_t done = 0;
+  int cycles = 0;
+  while (trajectory.step(cycle, [&](const BlockTiming&) { ++done; }) == StepResult::cycle) ++cycles;
+  EXPECT_EQ(done, 2U);
+  EXPECT_EQ(cycles, 1849);  // the cycle at 1.85 s belongs to the second line too
+  EXPECT_EQ(cycle.position[Axis::X], 50.0);
+}
+
 TEST(Trajectory, WaitingCyclesCanBeSkipped) {
   Trajectory trajectory(machine_with({Axis::X}), FeedPolicy{});
   trajectory.push(Path().action(Dwell{1000.0}).actions()[0]);

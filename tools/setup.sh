@@ -119,17 +119,24 @@ kerf_build() {
   if [ ! -f "$dir/build.ninja" ] || [ ! -f "$stamp" ] || [ "$(<"$stamp")" != "$key" ]; then
     kerf_warn_versions
     kerf_step "configuring $preset" "build/$preset-configure.log" cmake --fresh --preset "$preset" || return 1
-    printf '%s\n' "$key" >"$stamp"
     kerf_step "building $preset (once; this takes some minutes)" "build/$preset-build.log" \
       cmake --build "$dir" -j "$(nproc)" "${targets[@]}" || return 1
+    printf '%s\n' "$key" >"$stamp"
     return 0
   fi
-  # Nothing to do is the usual case and must stay silent; a rebuild after an edit says so only when it fails.
-  if ! cmake --build "$dir" -j "$(nproc)" "${targets[@]}" >"build/$preset-build.log" 2>&1 </dev/null; then
+  # Nothing to do is the usual case and stays silent; a rebuild after a change says so once it takes time.
+  local timer status=0
+  # The sleep outlives the kill and must not keep the caller's pipes open.
+  { sleep 1 </dev/null >/dev/null 2>&1 && kerf_say "building $preset"; } &
+  timer=$!
+  cmake --build "$dir" -j "$(nproc)" "${targets[@]}" >"build/$preset-build.log" 2>&1 </dev/null || status=$?
+  kill "$timer" 2>/dev/null
+  wait "$timer" 2>/dev/null
+  if [ "$status" -ne 0 ]; then
     tail -n 80 "build/$preset-build.log" >&2
     kerf_say "failed: building $preset (all of it in build/$preset-build.log)"
-    return 1
   fi
+  return "$status"
 }
 
 # Every file of the project, build trees aside; works without git too.

@@ -18,6 +18,7 @@ class FixedQueue {
   /// The new last value, to be filled in by the caller, who checks full() first. It may hold an old value.
   constexpr T& push() {
     assert(!full());
+    if (size_ == 0) first_ = 0;  // stay in the slots that are in the cache
     return data_[(first_ + size_++) % Capacity];
   }
   constexpr void push(const T& value) { push() = value; }

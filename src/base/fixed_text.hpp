@@ -3,11 +3,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <string_view>
 
 namespace kerf {
+
+/// Formats into a buffer without allocating; the result is the length of the whole text, which may be more than the
+/// capacity. Out of line: the formatting machinery is compiled once.
+std::size_t format_into(char* buffer, std::size_t capacity, fmt::string_view pattern, fmt::format_args args);
 
 template <std::size_t Capacity>
 class FixedText {
@@ -28,8 +33,8 @@ class FixedText {
   template <class... Args>
   static FixedText format(fmt::format_string<Args...> pattern, Args&&... args) {
     FixedText text;
-    const auto result = fmt::format_to_n(text.data_.data(), Capacity, pattern, std::forward<Args>(args)...);
-    text.size_ = static_cast<std::uint16_t>(std::min(result.size, Capacity));
+    const std::size_t size = format_into(text.data_.data(), Capacity, pattern, fmt::make_format_args(args...));
+    text.size_ = static_cast<std::uint16_t>(std::min(size, Capacity));
     return text;
   }
 

@@ -7,6 +7,8 @@
 namespace kerf {
 namespace {
 
+constexpr double kSameDepth = 5e-5;  // mm, half the machine's least increment: no step is thinner
+
 AxisVector at_level(AxisVector position, double z) {
   position[Axis::Z] = z;
   return position;
@@ -36,7 +38,7 @@ void DrillingCycle::next_hole() {
 }
 
 void DrillingCycle::feed_down(Registers& registers, const AxisVector& work_origin, ActionQueue& queue) {
-  const bool last = plan_.peck <= 0.0 || depth_ - plan_.peck <= plan_.bottom;
+  const bool last = plan_.peck <= 0.0 || depth_ - plan_.peck <= plan_.bottom + kSameDepth;
   depth_ = last ? plan_.bottom : depth_ - plan_.peck;
   go(MoveMode::linear, at_level(registers.position, depth_), registers, work_origin, queue);
   if (last && plan_.dwell_s > 0.0) queue.push<Dwell>().seconds = plan_.dwell_s;

@@ -47,8 +47,9 @@ constexpr double cross(Vec2 a, Vec2 b) {
   return a.x * b.y - a.y * b.x;
 }
 
+/// Not for squares that overflow, which lengths in mm never do.
 inline double length(Vec2 a) {
-  return std::hypot(a.x, a.y);
+  return std::sqrt(dot(a, a));
 }
 
 inline double distance(Vec2 a, Vec2 b) {

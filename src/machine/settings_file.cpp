@@ -90,9 +90,13 @@ std::optional<Value> value_of(const toml::node& node) {
   if (!array || array->size() != 2) return std::nullopt;
   std::array<double, 2> pair{};
   for (std::size_t i = 0; i < pair.size(); ++i) {
-    const toml::node& item = (*array)[i];
-    if (!item.is_number()) return std::nullopt;
-    pair[i] = item.value<double>().value_or(0.0);
+    if (const auto* integer = (*array)[i].as_integer()) {
+      pair[i] = static_cast<double>(integer->get());
+    } else if (const auto* number = (*array)[i].as_floating_point()) {
+      pair[i] = number->get();
+    } else {
+      return std::nullopt;
+    }
   }
   return pair;
 }
@@ -114,6 +118,7 @@ class FileReader {
     std::stable_sort(errors_.begin(), errors_.end(), [](const SettingsError& a, const SettingsError& b) {
       return std::tie(a.line, a.column) < std::tie(b.line, b.column);
     });
+    if (errors_.size() > kMostErrors) errors_.resize(kMostErrors);
     return std::move(errors_);
   }
 

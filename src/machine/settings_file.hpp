@@ -12,7 +12,7 @@
 
 namespace kerf {
 
-inline constexpr std::size_t kLargestMachineFile = 16U * 1024U * 1024U;  ///< bytes
+inline constexpr std::size_t kLargestMachineFile = std::size_t{16} * 1024 * 1024;  ///< bytes
 
 /// Applies a machine file. Either the whole file is applied or, when anything in it is wrong, nothing; then
 /// all errors are returned in the order of their places (at most 100; text that is no TOML gives the first

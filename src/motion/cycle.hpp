@@ -5,15 +5,13 @@
 
 #include "base/axis.hpp"
 #include "execute/action.hpp"
+#include "motion/path_segment.hpp"
 
 namespace kerf {
 
-/// One control cycle of the command. Axes that the machine lacks are 0.
-struct Cycle {
+/// One control cycle of the command: a point and its time.
+struct Cycle : PathPoint {
   double time_s = 0.0;             ///< since the start; the n-th cycle is at n times the control cycle
-  AxisVector position;             ///< machine coordinates, mm or degrees
-  AxisVector velocity;             ///< mm/s or degree/s
-  AxisVector acceleration;         ///< mm/s2 or degree/s2, tangential and centripetal
   double path_speed_mm_min = 0.0;  ///< measured as the feed is: see PathSegment
   Origin origin;                   ///< the action in progress
 };

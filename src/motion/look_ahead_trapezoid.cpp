@@ -56,7 +56,8 @@ LookAheadTrapezoid::LookAheadTrapezoid(const Machine& machine, const FeedPolicy&
       look_ahead_(static_cast<std::size_t>(std::max(machine.motion.look_ahead, 0))),
       entries_(look_ahead_.capacity()),
       rest_position_(start_position(machine)),
-      cycle_s_(machine.cycle_s) {
+      cycle_s_(machine.cycle_s),
+      cycles_per_s_(1.0 / machine.cycle_s) {
   extremes_.low = rest_position_;
   extremes_.high = rest_position_;
 }
@@ -143,7 +144,7 @@ void LookAheadTrapezoid::change_caps() {
     return;
   }
   // What is left of the segment in progress becomes a segment of its own.
-  note_ramps(entry.path);
+  note_phases(entry.path);
   peak_before_ = std::max(peak_before_, profile_.peak_until(time_));
   const ProfilePoint now = profile_.at(time_);
   way_before_ += now.s;
@@ -180,7 +181,7 @@ void LookAheadTrapezoid::complete_front(BlockObserver on_block) {
   timing.start_s = done_s_;
   timing.duration_s = time_before_ + profile_.time3;
   if (entry.kind == EntryKind::move) {
-    note_ramps(entry.path);
+    note_phases(entry.path);
     extend_range(entry.path, extremes_.low, extremes_.high);
     rest_position_ = entry.path.end;
     timing.length_mm = entry.path.length_mm;
@@ -193,29 +194,31 @@ void LookAheadTrapezoid::complete_front(BlockObserver on_block) {
   on_block(timing);
 }
 
-/// Extremes of the profile in progress, up to the present time.
-void LookAheadTrapezoid::note_ramps(const PathSegment& path) {
+/// Extremes of the profile in progress, up to the present time. What follows s linearly is known in closed
+/// form; the plane axes of an arc are looked at where a phase begins or ends, and in every cycle.
+void LookAheadTrapezoid::note_phases(const PathSegment& path) {
   const double until = std::min(time_, profile_.time3);
-  if (path.is_arc) {
-    for (const double time : {0.0, profile_.time1, profile_.time2, until}) {
-      if (time <= until) note_point(path, time);
-    }
-    return;
-  }
   double ramp = profile_.time1 > 0.0 ? std::abs(profile_.ramp1) : 0.0;
   if (until > profile_.time2) ramp = std::max(ramp, profile_.ramp3);
   keep_largest(extremes_.velocity, path.slope, profile_.peak_until(until));
   keep_largest(extremes_.acceleration, path.slope, ramp);
+  if (!path.is_arc) return;
+  PathPoint point;
+  for (const double time : {0.0, profile_.time1, profile_.time2, until}) {
+    if (time > until) continue;
+    const ProfilePoint at = profile_.at(time);
+    evaluate(path, way_before_ + at.s, at.speed, at.acceleration, point);
+    note_arc_point(path.arc, point);
+  }
 }
 
-void LookAheadTrapezoid::note_point(const PathSegment& path, double time) {
-  const ProfilePoint point = profile_.at(time);
-  AxisVector position;
-  AxisVector velocity;
-  AxisVector acceleration;
-  evaluate(path, way_before_ + point.s, point.speed, point.acceleration, position, velocity, acceleration);
-  keep_largest(extremes_.velocity, velocity, 1.0);
-  keep_largest(extremes_.acceleration, acceleration, 1.0);
+void LookAheadTrapezoid::note_arc_point(const ArcPath& arc, const PathPoint& point) {
+  for (const std::size_t axis : {arc.first, arc.second}) {
+    double& velocity = extremes_.velocity.values[axis];
+    double& acceleration = extremes_.acceleration.values[axis];
+    velocity = std::max(velocity, std::abs(point.velocity.values[axis]));
+    acceleration = std::max(acceleration, std::abs(point.acceleration.values[axis]));
+  }
 }
 
 std::uint64_t LookAheadTrapezoid::skip_waiting() {
@@ -264,20 +267,14 @@ void LookAheadTrapezoid::fill(Cycle& cycle) {
   const Entry* entry = active_ ? &entries_[look_ahead_.front()] : nullptr;
   if (entry != nullptr && entry->kind == EntryKind::move) {
     const ProfilePoint point = profile_.at(time_);
-    evaluate(entry->path, way_before_ + point.s, point.speed, point.acceleration, cycle.position,
-             cycle.velocity, cycle.acceleration);
+    evaluate(entry->path, way_before_ + point.s, point.speed, point.acceleration, cycle);
     cycle.path_speed_mm_min = point.speed * entry->path.feed_per_speed;
-    if (entry->path.is_arc) {
-      keep_largest(extremes_.velocity, cycle.velocity, 1.0);
-      keep_largest(extremes_.acceleration, cycle.acceleration, 1.0);
-    }
+    if (entry->path.is_arc) note_arc_point(entry->path.arc, cycle);
   } else {
-    cycle.position = rest_position_;
-    cycle.velocity = AxisVector{};
-    cycle.acceleration = AxisVector{};
+    static_cast<PathPoint&>(cycle) = {rest_position_, {}, {}};
     cycle.path_speed_mm_min = 0.0;
   }
-  keep_largest(extremes_.jerk, cycle.acceleration - last_acceleration_, 1.0 / cycle_s_);
+  keep_largest(extremes_.jerk, cycle.acceleration - last_acceleration_, cycles_per_s_);
   last_acceleration_ = cycle.acceleration;
 }
 

@@ -67,8 +67,8 @@ class LookAheadTrapezoid {
   void change_caps();
   void start_front();
   void complete_front(BlockObserver on_block);
-  void note_ramps(const PathSegment& path);
-  void note_point(const PathSegment& path, double time);
+  void note_phases(const PathSegment& path);
+  void note_arc_point(const ArcPath& arc, const PathPoint& point);
   void fill(Cycle& cycle);
 
   double junction_deviation_;
@@ -95,6 +95,7 @@ class LookAheadTrapezoid {
   Origin last_origin_;
 
   double cycle_s_;
+  double cycles_per_s_;
   double done_s_ = 0.0;
   std::uint64_t cycles_ = 0;
   AxisVector last_acceleration_;

@@ -172,12 +172,11 @@ AxisVector end_tangent(const PathSegment& segment) {
                      segment.end.values[arc.second] - arc.center[1]);
 }
 
-void evaluate(const PathSegment& segment, double s, double speed, double acceleration, AxisVector& position,
-              AxisVector& velocity, AxisVector& acceleration_out) {
+void evaluate(const PathSegment& segment, double s, double speed, double acceleration, PathPoint& point) {
   for (std::size_t i = 0; i < kAxisCount; ++i) {
-    position.values[i] = segment.start.values[i] + segment.slope.values[i] * s;
-    velocity.values[i] = segment.slope.values[i] * speed;
-    acceleration_out.values[i] = segment.slope.values[i] * acceleration;
+    point.position.values[i] = segment.start.values[i] + segment.slope.values[i] * s;
+    point.velocity.values[i] = segment.slope.values[i] * speed;
+    point.acceleration.values[i] = segment.slope.values[i] * acceleration;
   }
   if (!segment.is_arc) return;
   const ArcPath& arc = segment.arc;
@@ -191,12 +190,12 @@ void evaluate(const PathSegment& segment, double s, double speed, double acceler
   const double bend = -arc.angle_slope * turn;
   const double twist = 2.0 * arc.radius_slope * arc.angle_slope;
   const double speed2 = speed * speed;
-  position.values[arc.first] = arc.center[0] + radius * x + arc.drift[0] * s;
-  position.values[arc.second] = arc.center[1] + radius * y + arc.drift[1] * s;
-  velocity.values[arc.first] = speed * dx;
-  velocity.values[arc.second] = speed * dy;
-  acceleration_out.values[arc.first] = acceleration * dx + speed2 * (bend * x - twist * y);
-  acceleration_out.values[arc.second] = acceleration * dy + speed2 * (bend * y + twist * x);
+  point.position.values[arc.first] = arc.center[0] + radius * x + arc.drift[0] * s;
+  point.position.values[arc.second] = arc.center[1] + radius * y + arc.drift[1] * s;
+  point.velocity.values[arc.first] = speed * dx;
+  point.velocity.values[arc.second] = speed * dy;
+  point.acceleration.values[arc.first] = acceleration * dx + speed2 * (bend * x - twist * y);
+  point.acceleration.values[arc.second] = acceleration * dy + speed2 * (bend * y + twist * x);
 }
 
 void extend_range(const PathSegment& segment, AxisVector& low, AxisVector& high) {

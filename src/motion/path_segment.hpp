@@ -25,6 +25,13 @@
 
 namespace kerf {
 
+/// Where the axes are and how they move. Axes that the machine lacks are 0.
+struct PathPoint {
+  AxisVector position;      ///< machine coordinates, mm or degrees
+  AxisVector velocity;      ///< mm/s or degree/s
+  AxisVector acceleration;  ///< mm/s2 or degree/s2, tangential and centripetal
+};
+
 /// The circle of an arc, as functions of s. Start and end radius may differ a little (spiral), and the end
 /// point may lie off the programmed angle by rounding: `drift` spreads that over the arc so that both ends
 /// are exact.
@@ -75,9 +82,8 @@ void set_path(PathSegment& segment, const Move& move, const AxisLimits& limits, 
 AxisVector start_tangent(const PathSegment& segment);
 AxisVector end_tangent(const PathSegment& segment);
 
-/// Position, velocity and acceleration at s for the speed and acceleration of s.
-void evaluate(const PathSegment& segment, double s, double speed, double acceleration, AxisVector& position,
-              AxisVector& velocity, AxisVector& acceleration_out);
+/// The point at s for the speed and acceleration of s.
+void evaluate(const PathSegment& segment, double s, double speed, double acceleration, PathPoint& point);
 
 /// Widens [low, high] of every axis by the segment.
 void extend_range(const PathSegment& segment, AxisVector& low, AxisVector& high);

@@ -51,6 +51,11 @@ SpeedProfile standstill(double length, double entry, double acceleration) {
 }  // namespace
 
 SpeedProfile make_profile(double length, double entry, double exit, double cap, double acceleration) {
+  if (!(length > 0.0)) {
+    SpeedProfile nothing;
+    nothing.entry = nothing.top = nothing.exit = exit;
+    return nothing;
+  }
   const double gain = 2.0 * acceleration * length;
   const double entry2 = entry * entry;
   const double exit2 = exit * exit;

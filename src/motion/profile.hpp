@@ -43,10 +43,10 @@ struct SpeedProfile {
   }
 };
 
-/// The quickest profile over `length` (> 0) from speed `entry` to speed `exit` with accelerations up to
+/// The quickest profile over `length` from speed `entry` to speed `exit` with accelerations up to
 /// `acceleration` (> 0) that stays below `cap` as soon as it can. The caller sees to it that the exit can be
 /// reached: |exit2 - entry2| <= 2 acceleration length, and exit <= cap unless that forbids it. With cap 0 the
-/// profile ends in a standstill before the end, and time3 is infinite.
+/// profile ends in a standstill before the end, and time3 is infinite. No length takes no time.
 ///
 /// The closed form is accepted only when an integration over its phases ends at `length` with speed `exit`,
 /// to rounding. Otherwise the answer is slower and simpler: one ramp from entry to exit, or from rest to rest

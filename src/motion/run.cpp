@@ -63,19 +63,24 @@ class Runner {
     RunSummary& summary = record_.summary;
     summary.blocks = std::max<std::uint64_t>(summary.blocks, action.origin.block);
     if (std::holds_alternative<Move>(action.what)) ++summary.moves;
-    if (const auto* alarm = std::get_if<Alarm>(&action.what)) {
-      if (summary.alarms.size() < RunRecord::kMaxAlarms) {
-        summary.alarms.push_back(*alarm);
-      } else {
-        record_.truncated = true;
-      }
-    }
+    if (const auto* alarm = std::get_if<Alarm>(&action.what)) note_alarm(*alarm);
     if (!options_.record) return;
     if (record_.actions.size() < RunRecord::kMaxTimedActions) {
       record_.actions.push_back({action, 0.0, 0.0, 0.0, 0.0});
     } else {
       record_.truncated = true;
     }
+  }
+
+  /// Warnings beyond the limit are left out; an alarm that ends the program never is.
+  void note_alarm(const Alarm& alarm) {
+    std::vector<Alarm>& alarms = record_.summary.alarms;
+    if (alarms.size() < RunRecord::kMaxAlarms) {
+      alarms.push_back(alarm);
+      return;
+    }
+    record_.truncated = true;
+    if (alarm.kind->severity != Severity::warning) alarms.back() = alarm;
   }
 
   /// Books a finished action. They finish in the order they were pushed.

@@ -45,7 +45,7 @@ struct RunSummary {
   std::array<AxisBounds, kAxisCount> bounds{};
   std::array<AxisPeak, kAxisCount> peak{};
   bool stalled = false;       ///< the run ended at a move whose effective feed is 0
-  std::vector<Alarm> alarms;  ///< warnings included, the first `RunRecord::kMaxAlarms`
+  std::vector<Alarm> alarms;  ///< warnings included, at most `RunRecord::kMaxAlarms`
 };
 
 /// One executed action with its time, in order of execution.

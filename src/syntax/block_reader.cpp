@@ -30,6 +30,45 @@ const char* skip_blanks(const char* p) {
   return p;
 }
 
+/// Reads digits with at most one point; false when there is no digit. The value is right for up to kMaxDigits
+/// characters; long_decimal() reads longer ones.
+bool read_decimal(const char*& p, Decimal& number) {
+  std::uint64_t digits = 0;
+  const char* first = p;
+  for (; is_digit(*p); ++p) digits = digits * 10 + static_cast<std::uint64_t>(*p - '0');
+  bool any = p != first;
+  if (*p == '.') {
+    number.has_point = true;
+    const char* behind = ++p;
+    for (; is_digit(*p); ++p) digits = digits * 10 + static_cast<std::uint64_t>(*p - '0');
+    any = any || p != behind;
+    number.decimals = static_cast<std::uint8_t>(p - behind);
+  }
+  number.digits = static_cast<std::int64_t>(digits);
+  return any;
+}
+
+/// The same for any length: leading zeros do not count, digits far below any increment are dropped, and too
+/// many in front of the point overflow.
+Decimal long_decimal(std::string_view text) {
+  Decimal number;
+  int count = 0;  // significant digits taken
+  for (const char c : text) {
+    if (c == '.') {
+      number.has_point = true;
+      continue;
+    }
+    if (count == kMaxDigits || (number.has_point && number.decimals == kMaxDigits)) {
+      number.overflow = number.overflow || !number.has_point;
+      continue;
+    }
+    number.digits = number.digits * 10 + (c - '0');
+    if (number.digits != 0) ++count;
+    if (number.has_point) ++number.decimals;
+  }
+  return number;
+}
+
 /// A carriage return counts as part of the line end when a line feed, or the end of the text, follows.
 bool at_line_end(const char* p) {
   return *p == '\n' || (*p == '\r' && p[1] == '\n');
@@ -73,12 +112,16 @@ bool BlockReader::find_data_start() {
       to_next_line(p);
       return true;
     }
+    leader_ = leader_ || !at_line_end(p);
     to_next_line(p);
   }
+  return fail_without_start();
+}
+
+bool BlockReader::fail_without_start() {
   line_ = 0;
   line_start_ = begin_;
-  fail(SyntaxFault::no_data_start, begin_, 1);
-  return false;
+  return fail(SyntaxFault::no_data_start, begin_, 1);
 }
 
 BlockReader::Result BlockReader::next(Block& block, bool skip_marked) {
@@ -92,9 +135,15 @@ BlockReader::Result BlockReader::next(Block& block, bool skip_marked) {
   }
   while (line_start_ < end_) {
     const Result result = read_block(block, skip_marked);
+    any_block_ = any_block_ || result == Result::fault || block.skip_mark || !block.words.empty();
     if (result == Result::fault || finished_ || !block.words.empty()) return result;
   }
   finished_ = true;
+  // Blocks in front of the only % and none behind: the % is the data end, and the data start is missing.
+  if (leader_ && !any_block_) {
+    fail_without_start();
+    return Result::fault;
+  }
   return Result::end;
 }
 
@@ -166,37 +215,13 @@ bool BlockReader::read_word(Block& block, const char*& p) {
   if (*p == '-' || *p == '+') negative = *p++ == '-';
 
   Decimal number;
-  std::int64_t digits = 0;
-  int count = 0;  // significant digits taken
-  bool any = false;
-  for (; is_digit(*p); ++p) {
-    any = true;
-    if (count == kMaxDigits) {
-      number.overflow = true;
-    } else {
-      digits = digits * 10 + (*p - '0');
-      if (digits != 0) ++count;
-    }
-  }
-  if (*p == '.') {
-    number.has_point = true;
-    for (++p; is_digit(*p); ++p) {
-      any = true;
-      // Digits far below any increment cannot change the value and are dropped.
-      if (count == kMaxDigits || number.decimals == kMaxDigits) continue;
-      digits = digits * 10 + (*p - '0');
-      if (digits != 0) ++count;
-      ++number.decimals;
-    }
-  }
+  const char* first = p;
+  const bool any = read_decimal(p, number);
   const auto length = static_cast<std::uint32_t>(p - start);
   if (!any) return fail(SyntaxFault::bad_number, start, length);
-  number.digits = negative ? -digits : digits;
-  Word& word = block.words.push_back({});
-  word.address = address;
-  word.number = number;
-  word.column = static_cast<std::uint32_t>(start - line_start_ + 1);
-  word.length = length;
+  if (p - first > kMaxDigits) number = long_decimal({first, p});
+  if (negative) number.digits = -number.digits;
+  block.words.push_back({address, number, static_cast<std::uint32_t>(start - line_start_ + 1), length});
   return true;
 }
 

@@ -47,6 +47,7 @@ class BlockReader {
 
  private:
   bool find_data_start();
+  bool fail_without_start();
   Result read_block(Block& block, bool skip_marked);
   bool read_words(Block& block, const char*& p, bool skip_marked, bool& skipped);
   bool read_word(Block& block, const char*& p);
@@ -59,6 +60,8 @@ class BlockReader {
   const char* line_start_;  // where the next block begins
   std::uint32_t line_ = 0;  // number of the line at line_start_, counted from 0
   bool started_ = false;
+  bool leader_ = false;     // text stands in front of the first %
+  bool any_block_ = false;  // a block was read
   bool closed_ = false;
   bool finished_ = false;
   SyntaxFault fault_ = SyntaxFault::none;

@@ -18,24 +18,21 @@ namespace kerf {
 /// ride along unchanged.
 ///
 /// - The first straight move with motion in the plane after a side is commanded starts the compensation; the
-/// first
-///   move that names an axis of the plane after the side returns to none ends it. A negative amount exchanges
-///   sides.
+///   first move that names an axis of the plane after the side returns to none ends it. A negative amount
+///   exchanges sides.
 /// - Actions between two compensated moves are given out in order, where the first move and its joints end.
-/// - When the look-ahead ends (`blocks_without_motion` or more blocks between two moves, counted by
-/// Origin::block and
-///   without the block of a corner arc; or more than 64 actions), the first move ends at the point at right
-///   angles to its end and the tool goes straight to the point at right angles to the start of the next.
+/// - The look-ahead ends when `blocks_without_motion` or more blocks lie between two moves (counted by
+///   Origin::block, without the block of a corner arc), or more than 64 actions: the first move ends at the
+///   point at right angles to its end, and the tool goes straight to the point at right angles to the start
+///   of the next.
 /// - A corner arc at an inner corner is left out; the corner is joined as without it.
 /// - Moves put in at corners carry origin, mode, feed and commanded end of the move before them; those after
-/// a failed
-///   look-ahead the ones of the move after them; those after a corner arc the arc's origin.
-/// - End and the end of the actions finish the last move at the point at right angles to its end and take the
-///   compensation back.
+///   a failed look-ahead carry the ones of the move after them; those after a corner arc the arc's origin.
+/// - End and the end of the actions finish the last move at the point at right angles to its end and take
+///   the compensation back.
 /// - An alarm drops the move it is about (and, when an arc is used up by its neighbours, the move after it)
-/// and takes
-///   the compensation back. The next move goes on from where the tool is; a straight one starts the
-///   compensation again when it commands a side, arcs before it run as programmed.
+///   and takes the compensation back. The next move goes on from where the tool is; a straight one starts
+///   the compensation again when it commands a side, arcs before it run as programmed.
 /// - There is no interference check: an inner corner may turn the direction of a short straight move round.
 ///
 /// Start and end of the moves given out chain exactly. Moves that shrink to nothing are left out. Nothing is
@@ -44,7 +41,8 @@ class RadiusCompensationPass {
  public:
   explicit RadiusCompensationPass(const RadiusCompensationPolicy& policy);
 
-  /// The next action, valid until the following call; nullptr at the end. `upstream.next()` gives the same.
+  /// The next action, valid until the following call; nullptr at the end. `upstream.next()` gives the same,
+  /// and nullptr again when it is asked after its end.
   template <class Upstream>
   const Action* next(Upstream& upstream) {
     for (;;) {

@@ -1,10 +1,9 @@
 #pragma once
 // The pass that keeps moves inside the travel of the machine's axes.
 
-#include <array>
-
 #include "execute/action.hpp"
 #include "execute/toolpath_policy.hpp"
+#include "execute/travel.hpp"
 #include "machine/machine.hpp"
 #include "toolpath/path_queue.hpp"
 
@@ -27,7 +26,7 @@ class TravelLimitPass {
       const Action* action = upstream.next();
       if (action == nullptr) return nullptr;
       const Move* move = std::get_if<Move>(&action->what);
-      if (move == nullptr || (!displaced_ && is_inside(*move))) return action;
+      if (move == nullptr || (!displaced_ && travel_.contains(*move))) return action;
       push(action->origin, *move);
     }
   }
@@ -36,35 +35,11 @@ class TravelLimitPass {
   void reset();
 
  private:
-  /// An axis that leaves its travel.
-  struct Excess {
-    Axis axis = Axis::X;
-    double reached = 0.0;
-  };
-
-  bool is_inside(const Move& move) const {
-    return is_inside(move.end) && (!is_arc(move.mode) || is_arc_inside(move));
-  }
-  bool is_inside(const AxisVector& position) const {
-    bool outside = false;
-    for (std::size_t i = 0; i < kAxisCount; ++i) {
-      outside |= position.values[i] < lower_[i] - kRounding;
-      outside |= position.values[i] > upper_[i] + kRounding;
-    }
-    return !outside;
-  }
-  bool is_arc_inside(const Move& move) const;
   void push(const Origin& origin, const Move& move);
   void push_clipped(const Origin& origin, Move move);
-  Excess excess_of(const Move& move) const;
-  FixedText<200> message_for(const Excess& excess) const;
-
-  static constexpr double kRounding = 1e-6;  // mm or degrees
 
   TravelLimitPolicy policy_;
-  std::array<double, kAxisCount> lower_{};  ///< minus infinity for axes the machine lacks
-  std::array<double, kAxisCount> upper_{};
-  std::array<AxisType, kAxisCount> type_{};
+  Travel travel_;
   bool displaced_ = false;  ///< the tool stands where out_ ends, not where the program has it
   PathQueue out_;
 };

@@ -23,21 +23,19 @@ double to_least_increment(double value) {
 
 }  // namespace
 
-BlockRun::BlockRun(const Rules& rules, const Block& block, const State& state, ActionQueue& queue)
+BlockRun::BlockRun(const Rules& rules, const Block& block, State& state, ActionQueue& queue)
     : registers(state.registers),
       rules_(rules),
       settings_(rules.settings()),
       block_(block),
       tables_(state.tables),
       queue_(queue),
-      reader_(rules.settings(), false) {}
+      reader_(rules.settings(), false) {
+  update_origin();
+}
 
 bool BlockRun::run() {
-  Alarm fault;
-  if (!words_.collect(block_, rules_.codes(), fault)) {
-    alarm = fault;
-    return false;
-  }
+  if (!words_.collect(block_, rules_.codes(), alarm)) return false;
   // The unit of the block counts for all its words, also for those that act before the G codes.
   const CodeNumber unit = words_.has(Group::unit) ? words_[Group::unit] : registers.modal[Group::unit];
   reader_ = NumberReader(settings_, unit == code(20));
@@ -166,7 +164,7 @@ double BlockRun::destination(Axis axis, double value) const {
     const double reference = registers.scaling.reference[axis];
     value = to_least_increment(reference + registers.scaling.factor * (value - reference));
   }
-  return on_grid(origin_now()[axis] + value);
+  return on_grid(origin_[axis] + value);
 }
 
 bool BlockRun::target_of_words(std::string_view axes, AxisVector& target) {
@@ -180,13 +178,22 @@ bool BlockRun::target_of_words(std::string_view axes, AxisVector& target) {
   return true;
 }
 
-AxisVector BlockRun::origin_now() const {
-  const auto system = static_cast<std::size_t>(registers.modal[Group::work_system] / 10 - 53);
-  return tables_.work_offsets[0] + tables_.work_offsets[system] + registers.shift;
+void BlockRun::update_origin() {
+  origin_ = workpiece_origin(registers, tables_);
 }
 
-Move& BlockRun::push_move(MoveMode mode, const AxisVector& target) {
-  Move& move = push_straight(mode, target, registers, origin_now(), queue_);
+bool BlockRun::check_travel(const Move& move) {
+  // Where radius compensation moves the tool only the toolpath knows, and it checks the travel then.
+  if (offset_on() || registers.offset_return_pending || settings_.clip_over_travel) return true;
+  const Travel& travel = rules_.travel();
+  if (travel.contains(move)) return true;
+  return refuse("over-travel", block_.span, travel.message_for(*travel.excess_of(move)));
+}
+
+bool BlockRun::push_move(MoveMode mode, const AxisVector& target) {
+  Move& move = push_straight(mode, target, registers, origin_, queue_);
+  registers.unit_locked = true;
+  if (!check_travel(move)) return false;
   move.axis_words = words_.has('X') || words_.has('Y');
   if (offset_on()) {
     const bool left = registers.modal[Group::radius_compensation] == code(41);
@@ -194,8 +201,7 @@ Move& BlockRun::push_move(MoveMode mode, const AxisVector& target) {
   } else if (move.axis_words) {
     registers.offset_return_pending = false;
   }
-  registers.unit_locked = true;
-  return move;
+  return true;
 }
 
 }  // namespace kerf::dgshape

@@ -1,5 +1,5 @@
 #pragma once
-// One block at work: the steps of its execution in order, on a copy of the registers.
+// One block at work: the steps of its execution in order.
 
 #include <optional>
 
@@ -23,11 +23,11 @@ struct TableWrite {
 /// motion.
 class BlockRun {
  public:
-  BlockRun(const Rules& rules, const Block& block, const State& state, ActionQueue& queue);
+  BlockRun(const Rules& rules, const Block& block, State& state, ActionQueue& queue);
 
   bool run();
 
-  Registers registers;  ///< what the state becomes when run() succeeded
+  Registers& registers;  ///< of the state; the caller puts them back when run() fails
   TableWrite write;
   std::optional<DrillingPlan> drilling;
   bool ends_program = false;
@@ -81,6 +81,7 @@ class BlockRun {
   bool cycle_words();
   bool cycle_dwell_and_step();
   bool cycle_repetitions(std::int32_t& repetitions);
+  bool cycle_inside_travel(const DrillingPlan& plan);
 
   // helpers
   bool refuse(std::string_view detail, const SourceSpan& where, const FixedText<200>& message = {},
@@ -100,10 +101,14 @@ class BlockRun {
   bool offset_on() const { return registers.modal[Group::radius_compensation] != code(40); }
   bool incremental() const { return registers.modal[Group::distance] == code(91); }
   bool scaled() const { return registers.modal[Group::scaling] == code(51); }
-  AxisVector origin_now() const;
+  /// Takes in what the block changed about the workpiece coordinate system.
+  void update_origin();
   void warn(std::string_view detail, const SourceSpan& where);
   void use(std::string_view addresses) { used_ |= mask_of(addresses); }
-  Move& push_move(MoveMode mode, const AxisVector& target);
+  /// A straight move; refused when it would leave the travel.
+  bool push_move(MoveMode mode, const AxisVector& target);
+  bool check_travel(const Move& move);
+  Move& last_move() { return std::get<Move>(queue_.last().what); }
 
   const Rules& rules_;
   const ControllerSettings& settings_;
@@ -112,6 +117,7 @@ class BlockRun {
   ActionQueue& queue_;
   NumberReader reader_;
   BlockWords words_;
+  AxisVector origin_;  // machine coordinates of the workpiece origin in force
   WordMask used_ = 0;
   bool offset_was_on_ = false;  // radius compensation in force before the block
 };

@@ -9,9 +9,9 @@ namespace {
 /// Addresses that carry a value; G, M are codes, N and O are numbers of their own and are values here too.
 constexpr WordMask kValueAddresses = mask_of("ADFHIJKLNOPQRSTXYZ");
 
-bool refuse(Alarm& alarm, std::string_view detail, const SourceSpan& span,
+bool refuse(std::optional<Alarm>& alarm, std::string_view detail, const SourceSpan& span,
             const FixedText<200>& message = {}) {
-  alarm = {&alarm_kind(detail), span, message, {}};
+  alarm = Alarm{&alarm_kind(detail), span, message, {}};
   return false;
 }
 
@@ -29,14 +29,15 @@ const CodeRow* CodeIndex::find(char letter, const Decimal& number) const {
   return (letter == 'G' ? g_ : m_)[static_cast<std::size_t>(number.digits)];
 }
 
-bool BlockWords::take_g(const Block& block, std::size_t i, const CodeIndex& index, Alarm& alarm) {
+bool BlockWords::take_g(const Block& block, std::size_t i, const CodeIndex& index,
+                        std::optional<Alarm>& alarm) {
   const Word& word = block.words[i];
   const CodeRow* row = index.find('G', word.number);
   const SourceSpan span = span_of(block, word);
   if (row == nullptr) {
     refuse(alarm, "unknown-code", span);
     if (!word.number.has_point && word.number.digits >= 0) {
-      alarm.remedy = nearest_code(code_table(), 'G', word.number.digits);
+      alarm->remedy = nearest_code(code_table(), 'G', word.number.digits);
     }
     return false;
   }
@@ -51,7 +52,7 @@ bool BlockWords::take_g(const Block& block, std::size_t i, const CodeIndex& inde
   return true;
 }
 
-bool BlockWords::collect(const Block& block, const CodeIndex& index, Alarm& alarm) {
+bool BlockWords::collect(const Block& block, const CodeIndex& index, std::optional<Alarm>& alarm) {
   block_ = &block.words;
   present_ = 0;
   codes_.fill(kNone);
@@ -66,7 +67,7 @@ bool BlockWords::collect(const Block& block, const CodeIndex& index, Alarm& alar
       if (index.find('M', word.number) == nullptr) {
         refuse(alarm, "unknown-code", span_of(block, word));
         if (!word.number.has_point && word.number.digits >= 0) {
-          alarm.remedy = nearest_code(code_table(), 'M', word.number.digits);
+          alarm->remedy = nearest_code(code_table(), 'M', word.number.digits);
         }
         return false;
       }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "base/alarm.hpp"
@@ -40,7 +41,7 @@ class BlockWords {
   static constexpr CodeNumber kNone = 0xFFFF;
 
   /// False: `alarm` says what is wrong (unknown-code, repeated-word, conflicting-codes).
-  bool collect(const Block& block, const CodeIndex& index, Alarm& alarm);
+  bool collect(const Block& block, const CodeIndex& index, std::optional<Alarm>& alarm);
 
   bool has(char address) const { return (present_ & mask(address)) != 0; }
   WordMask present() const { return present_; }
@@ -57,7 +58,7 @@ class BlockWords {
   const Word& at(std::size_t i) const { return (*block_)[i]; }
 
  private:
-  bool take_g(const Block& block, std::size_t i, const CodeIndex& index, Alarm& alarm);
+  bool take_g(const Block& block, std::size_t i, const CodeIndex& index, std::optional<Alarm>& alarm);
 
   const FixedVector<Word, Block::kMaxWords>* block_ = nullptr;
   WordMask present_ = 0;

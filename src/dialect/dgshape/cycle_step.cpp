@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dialect/dgshape/block_run.hpp"
+#include "execute/moves.hpp"
 
 namespace kerf::dgshape {
 namespace {
@@ -59,7 +60,28 @@ bool BlockRun::fixed_cycle() {
     return refuse("missing-word", block_.span, "G83 needs the depth of a step, Q.");
   }
   registers.unit_locked = true;
+  if (!cycle_inside_travel(plan)) return false;
   drilling = plan;
+  return true;
+}
+
+bool BlockRun::cycle_inside_travel(const DrillingPlan& plan) {
+  if (settings_.clip_over_travel || plan.repetitions == 0) return true;
+  // All holes lie between the first and the last, and all levels between the bottom and the highest of the
+  // others.
+  AxisVector first = plan.first_hole;
+  AxisVector last = first;
+  for (Axis axis : {Axis::X, Axis::Y}) last[axis] += plan.step[axis] * (plan.repetitions - 1);
+  if (plan.drills) {
+    first[Axis::Z] = std::max({plan.r_level, plan.return_level, registers.position[Axis::Z]});
+    last[Axis::Z] = plan.bottom;
+  }
+  const Travel& travel = rules_.travel();
+  for (const AxisVector& corner : {first, last}) {
+    if (const auto excess = travel.excess_of(with_length(corner, registers.length_applied))) {
+      return refuse("over-travel", block_.span, travel.message_for(*excess));
+    }
+  }
   return true;
 }
 

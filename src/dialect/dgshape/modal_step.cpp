@@ -69,6 +69,7 @@ void BlockRun::work_system() {
   if (!words_.has(Group::work_system)) return;
   registers.modal.set(Group::work_system, words_[Group::work_system]);
   registers.unit_locked = true;
+  update_origin();
 }
 
 bool BlockRun::scaling() {
@@ -87,7 +88,7 @@ bool BlockRun::scaling() {
   use("P");
   double factor = 0.0;
   if (!accept('P', reader_.scale(words_.word('P')), factor)) return false;
-  AxisVector reference = registers.position - origin_now();
+  AxisVector reference = registers.position - origin_;
   for (char address : std::string_view("XYZ")) {
     if (words_.has(address) && !read_distance(address, reference[*axis_from_letter(address)])) return false;
   }

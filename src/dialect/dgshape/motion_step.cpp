@@ -40,8 +40,8 @@ bool BlockRun::length_move() {
   // Without an axis word a tool-length block is a move of distance zero plus the offset (manual G43).
   const bool rapid = registers.modal[Group::motion] == code(0);
   if (!rapid && !cutting_allowed()) return false;
-  Move& move = push_move(rapid ? MoveMode::rapid : MoveMode::linear, registers.position);
-  move.axis_words = false;
+  if (!push_move(rapid ? MoveMode::rapid : MoveMode::linear, registers.position)) return false;
+  last_move().axis_words = false;
   return true;
 }
 
@@ -59,10 +59,7 @@ bool BlockRun::push_rapid(const AxisVector& target) {
   for (Axis axis : {Axis::X, Axis::Y, Axis::Z, Axis::A}) {
     if (target[axis] != registers.position[axis]) moving.insert(axis);
   }
-  if (moving.size() <= settings_.rapid_axes) {
-    push_move(MoveMode::rapid, target);
-    return true;
-  }
+  if (moving.size() <= settings_.rapid_axes) return push_move(MoveMode::rapid, target);
   if (!settings_.split_rapid) {
     return refuse("rapid-axes", block_.span,
                   FixedText<200>::format("{} axes move at once; the machine can move {}.", moving.size(),
@@ -72,7 +69,8 @@ bool BlockRun::push_rapid(const AxisVector& target) {
   std::int64_t taken = 0;
   for (Axis axis : moving) {
     step[axis] = target[axis];
-    if (++taken % settings_.rapid_axes == 0 || taken == moving.size()) push_move(MoveMode::rapid, step);
+    const bool full = ++taken % settings_.rapid_axes == 0 || taken == moving.size();
+    if (full && !push_move(MoveMode::rapid, step)) return false;
   }
   return true;
 }
@@ -85,12 +83,14 @@ bool BlockRun::straight(MoveMode mode) {
   if (still && !offset_on() && !registers.offset_return_pending) return true;
   if (mode == MoveMode::rapid) return push_rapid(target);
   if (!cutting_allowed()) return false;
-  const AxisVector start = registers.position - origin_now();
+  const double tip_y = registers.position[Axis::Y] - origin_[Axis::Y];
+  const double tip_z = registers.position[Axis::Z] - origin_[Axis::Z];
   const bool turns = target[Axis::A] != registers.position[Axis::A];
-  Move& move = push_move(MoveMode::linear, target);
+  if (!push_move(MoveMode::linear, target)) return false;
   if (turns) {
+    Move& move = last_move();
     const bool at_top = move.start[Axis::Z] >= rules_.machine()[Axis::Z].upper_limit;
-    move.rotary_feed = {true, at_top, Axis::A, std::hypot(start[Axis::Y], start[Axis::Z])};
+    move.rotary_feed = {true, at_top, Axis::A, std::hypot(tip_y, tip_z)};
   }
   return true;
 }
@@ -170,11 +170,12 @@ bool BlockRun::arc() {
   // The Z of the centre in G18 and G19 moves with the tool-length offset like every other Z.
   if (plane.first == Axis::Z) geometry.center[0] += registers.length_applied;
   if (plane.second == Axis::Z) geometry.center[1] += registers.length_applied;
-  Move& move = push_move(clockwise ? MoveMode::clockwise : MoveMode::counterclockwise, target);
+  if (!push_move(clockwise ? MoveMode::clockwise : MoveMode::counterclockwise, target)) return false;
+  Move& move = last_move();
   move.axis_words = true;
   move.plane = plane;
   move.arc = geometry;
-  return true;
+  return check_travel(move);
 }
 
 }  // namespace kerf::dgshape

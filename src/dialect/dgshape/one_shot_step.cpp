@@ -121,15 +121,15 @@ bool BlockRun::reference_return() {
   AxisVector middle = registers.position;
   for (Axis axis : registers.midpoint_axes) middle[axis] = registers.midpoint[axis];
   if (middle != registers.position || registers.length_offset != registers.length_applied) {
-    push_move(MoveMode::rapid, middle).axis_words =
+    if (!push_move(MoveMode::rapid, middle)) return false;
+    last_move().axis_words =
         registers.midpoint_axes.contains(Axis::X) || registers.midpoint_axes.contains(Axis::Y);
   }
   AxisVector reference = registers.position;
   for (Axis axis : registers.midpoint_axes) reference[axis] = rules_.machine()[axis].home;
   // The reference point is where the machine itself stands, length offset or not.
   if (registers.midpoint_axes.contains(Axis::Z)) reference[Axis::Z] -= registers.length_offset;
-  if (reference != registers.position) push_move(MoveMode::rapid, reference);
-  return true;
+  return reference == registers.position || push_move(MoveMode::rapid, reference);
 }
 
 bool BlockRun::corner_arc() {
@@ -157,7 +157,7 @@ bool BlockRun::machine_move() {
 }
 
 bool BlockRun::set_coordinates() {
-  AxisVector origin = origin_now();
+  const AxisVector origin = origin_;
   for (Axis axis : {Axis::X, Axis::Y, Axis::Z, Axis::A}) {
     if (!words_.has(letter(axis))) continue;
     double value = 0.0;
@@ -167,6 +167,7 @@ bool BlockRun::set_coordinates() {
     registers.shift[axis] += registers.position[axis] - origin[axis] - value;
   }
   registers.unit_locked = true;
+  update_origin();
   return true;
 }
 

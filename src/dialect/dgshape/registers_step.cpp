@@ -92,15 +92,17 @@ bool BlockRun::auxiliary() {
         break;
       case 12:
       case 13:
-        good = switch_function(word, settings_.air_blower, 1U, word.number.digits == 12, "air_blower");
+        good = switch_function(word, settings_.air_blower, kBlowerOutput, word.number.digits == 12,
+                               "air_blower");
         break;
       case 14:
       case 15:
-        good = switch_function(word, settings_.chip_cleaner, 2U, word.number.digits == 14, "chip_cleaner");
+        good = switch_function(word, settings_.chip_cleaner, kCleanerOutput, word.number.digits == 14,
+                               "chip_cleaner");
         break;
       case 16:
       case 17:
-        good = switch_function(word, settings_.light, 4U, word.number.digits == 16, "light");
+        good = switch_function(word, settings_.light, kLightOutput, word.number.digits == 16, "light");
         break;
       default:
         break;
@@ -131,8 +133,8 @@ bool BlockRun::tool_change(const Word& word) {
     target[Axis::Z] = top;
     const double commanded_length = registers.length_offset;
     registers.length_offset = registers.length_applied;
-    Move& move = push_move(MoveMode::rapid, target);
-    move.axis_words = false;
+    if (!push_move(MoveMode::rapid, target)) return false;
+    last_move().axis_words = false;
     registers.length_offset = commanded_length;
   }
   queue_.push<ToolChange>() = {tool, settings_.tool_change_s};

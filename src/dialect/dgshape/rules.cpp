@@ -28,7 +28,7 @@ double effective_rpm(const ControllerSettings& settings, double programmed) {
 }
 
 Rules::Rules(const ControllerSettings& settings, const Machine& machine)
-    : settings_(settings), machine_(machine) {}
+    : settings_(settings), machine_(machine), travel_(machine) {}
 
 State Rules::initial_state() const {
   State state;
@@ -70,13 +70,14 @@ BlockOutcome Rules::execute(const Block& block, const Origin& origin, State& sta
   place.program = state.registers.program;
   place.sequence_number = state.registers.sequence_number;
   queue.begin(place);
+  const Registers before = state.registers;
   BlockRun run(*this, block, state, queue);
   if (!run.run()) {
+    state.registers = before;
     queue.roll_back();
     queue.push<Alarm>() = *run.alarm;
     return BlockOutcome::alarm;
   }
-  state.registers = run.registers;
   if (run.write.kind == TableWrite::Kind::work_offset)
     state.tables.work_offsets[run.write.index] = run.write.offset;
   if (run.write.kind == TableWrite::Kind::radius) state.tables.radius[run.write.index] = run.write.radius;
@@ -87,10 +88,10 @@ BlockOutcome Rules::execute(const Block& block, const Origin& origin, State& sta
 }
 
 void Rules::finish(State& state, ActionQueue& queue) const {
-  // M02 and M30 leave a safe machine: spindle, blower, cleaner and light go off (DGS-508).
+  // M02 and M30 leave a safe machine: spindle, blower and cleaner go off (DGS-508); the light stays.
   if (state.registers.spindle_on) queue.push<Spindle>();
   state.registers.spindle_on = false;
-  state.registers.outputs = 0;
+  state.registers.outputs &= kLightOutput;
   if (settings_.g10_volatile) state.tables = initial_state().tables;
   if (settings_.shift_volatile) state.registers.shift = {};
   queue.push<End>();
@@ -110,8 +111,12 @@ Alarm Rules::syntax_alarm(SyntaxFault fault, const SourceSpan& span) const {
 }
 
 AxisVector Rules::work_origin(const State& state) const {
-  const auto system = static_cast<std::size_t>(state.registers.modal[Group::work_system] / 10 - 53);
-  return state.tables.work_offsets[0] + state.tables.work_offsets[system] + state.registers.shift;
+  return workpiece_origin(state.registers, state.tables);
+}
+
+AxisVector workpiece_origin(const Registers& registers, const Tables& tables) {
+  const auto system = static_cast<std::size_t>(registers.modal[Group::work_system] / 10 - 53);
+  return tables.work_offsets[0] + tables.work_offsets[system] + registers.shift;
 }
 
 }  // namespace kerf::dgshape

@@ -4,9 +4,15 @@
 #include "dialect/dgshape/block_words.hpp"
 #include "dialect/dgshape/settings.hpp"
 #include "execute/block_rules.hpp"
+#include "execute/travel.hpp"
 #include "machine/machine.hpp"
 
 namespace kerf::dgshape {
+
+/// Bits of Registers::outputs.
+inline constexpr std::uint32_t kBlowerOutput = 1;
+inline constexpr std::uint32_t kCleanerOutput = 2;
+inline constexpr std::uint32_t kLightOutput = 4;
 
 class Rules final : public BlockRules {
  public:
@@ -23,6 +29,7 @@ class Rules final : public BlockRules {
   const ControllerSettings& settings() const { return settings_; }
   const Machine& machine() const { return machine_; }
   const CodeIndex& codes() const { return codes_; }
+  const Travel& travel() const { return travel_; }
 
  private:
   void finish(State& state, ActionQueue& queue) const;
@@ -30,7 +37,11 @@ class Rules final : public BlockRules {
   ControllerSettings settings_;
   Machine machine_;
   CodeIndex codes_;
+  Travel travel_;
 };
+
+/// Workpiece origin-point offset plus EXOFS plus the shift of G92, per axis (manual 1-2).
+AxisVector workpiece_origin(const Registers& registers, const Tables& tables);
 
 /// Spindle speed the machine really turns: override, resolution, limits (manual 1-4, 2-4).
 double effective_rpm(const ControllerSettings& settings, double programmed);

@@ -1,0 +1,134 @@
+#include "conformance/runner/observation.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace kerf::conformance {
+namespace {
+
+constexpr double kNoLength = 1e-9;  // mm or degrees
+
+std::string_view mode_name(MoveMode mode) {
+  switch (mode) {
+    case MoveMode::rapid:
+      return "rapid";
+    case MoveMode::linear:
+      return "linear";
+    case MoveMode::clockwise:
+      return "cw";
+    case MoveMode::counterclockwise:
+      return "ccw";
+  }
+  return {};
+}
+
+std::string plane_name(const Plane& plane) {
+  return {letter(plane.first), letter(plane.second)};
+}
+
+void add_axes(Entry& event, std::string_view prefix, AxisSet axes, const AxisVector& position) {
+  for (const Axis axis : axes) event.fields.push_back({std::string(prefix) + letter(axis), position[axis]});
+}
+
+void add_arc(Entry& event, const Move& move) {
+  const Plane& plane = move.plane;
+  event.fields.push_back({"plane", plane_name(plane)});
+  event.fields.push_back({"radius", move.arc.radius});
+  event.fields.push_back({"sweep", move.arc.sweep});
+  const std::string center = "center";
+  event.fields.push_back({center + letter(plane.first), move.arc.center[0] - move.work_origin[plane.first]});
+  event.fields.push_back(
+      {center + letter(plane.second), move.arc.center[1] - move.work_origin[plane.second]});
+}
+
+bool has_length(const Move& move, AxisSet axes) {
+  if (is_arc(move.mode) && std::abs(move.arc.sweep) > kNoLength) return true;
+  for (const Axis axis : axes) {
+    if (std::abs(move.end[axis] - move.start[axis]) > kNoLength) return true;
+  }
+  return false;
+}
+
+/// Fills in the event of one kind of action. False: there is none.
+struct Describe {
+  Entry& event;
+  AxisSet axes;
+  const FeedPolicy& policy;
+
+  bool operator()(const Move& move) const {
+    event.name = mode_name(move.mode);
+    add_axes(event, "", axes, move.end - move.work_origin);
+    if (move.mode != MoveMode::rapid) event.fields.push_back({"F", policy.effective(move.feed)});
+    if (is_arc(move.mode)) add_arc(event, move);
+    add_axes(event, "m", axes, move.end);
+    add_axes(event, "c", axes, move.commanded);
+    add_axes(event, "s", axes, move.start - move.work_origin);
+    return has_length(move, axes);
+  }
+  bool operator()(const CornerArc&) const { return false; }
+  bool operator()(const Dwell& dwell) const {
+    event.name = "dwell";
+    event.fields.push_back({"s", dwell.seconds});
+    return true;
+  }
+  bool operator()(const Auxiliary& auxiliary) const {
+    event.name = "m";
+    event.words.push_back(std::to_string(auxiliary.code));
+    return true;
+  }
+  bool operator()(const Spindle& spindle) const {
+    event.name = "spindle";
+    switch (spindle.direction) {
+      case SpindleDirection::off:
+        event.words.emplace_back("off");
+        break;
+      case SpindleDirection::clockwise:
+        event.words.emplace_back("cw");
+        break;
+      case SpindleDirection::counterclockwise:
+        event.words.emplace_back("ccw");
+        break;
+      case SpindleDirection::orient:
+        event.words.emplace_back("orient");
+        break;
+    }
+    if (spindle.direction != SpindleDirection::off) event.fields.push_back({"rpm", spindle.rpm});
+    return true;
+  }
+  bool operator()(const ToolChange& change) const {
+    event.name = "tool";
+    event.words.push_back(std::to_string(change.number));
+    return true;
+  }
+  bool operator()(const Stop& stop) const {
+    event.name = "stop";
+    if (stop.optional) event.words.emplace_back("optional");
+    return true;
+  }
+  bool operator()(const End&) const {
+    event.name = "end";
+    return true;
+  }
+  bool operator()(const Alarm& alarm) const {
+    event.name = alarm.kind->severity == Severity::warning ? "warning" : "alarm";
+    event.words.emplace_back(alarm.kind->detail);
+    return true;
+  }
+};
+
+}  // namespace
+
+std::optional<Entry> event_of(const Action& action, AxisSet axes, const FeedPolicy& policy) {
+  Entry event;
+  if (!std::visit(Describe{event, axes, policy}, action.what)) return std::nullopt;
+  const auto* alarm = std::get_if<Alarm>(&action.what);
+  const SourceSpan& span = alarm != nullptr ? alarm->span : action.origin.span;
+  event.fields.push_back({"line", static_cast<double>(span.line)});
+  if (alarm != nullptr) event.fields.push_back({"column", static_cast<double>(span.column)});
+  if (action.origin.sequence_number >= 0) {
+    event.fields.push_back({"n", static_cast<double>(action.origin.sequence_number)});
+  }
+  return event;
+}
+
+}  // namespace kerf::conformance

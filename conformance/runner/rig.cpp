@@ -1,0 +1,80 @@
+#include "conformance/runner/rig.hpp"
+
+#include "conformance/runner/observation.hpp"
+
+namespace kerf::conformance {
+namespace {
+
+constexpr double kIdealAcceleration = 1e9;  // mm/s2: moves take distance over feed
+constexpr double kIdealJerk = 1e15;         // mm/s3
+
+Entry refusal(const SettingsError& error) {
+  Entry event;
+  event.name = "refused";
+  constexpr std::string_view kOption = "--set ";
+  if (error.file.compare(0, kOption.size(), kOption) == 0) {
+    const std::string assignment = error.file.substr(kOption.size());
+    event.words.push_back(assignment.substr(0, assignment.find('=')));
+  }
+  return event;
+}
+
+bool is_alarm(const Action& action) {
+  const auto* alarm = std::get_if<Alarm>(&action.what);
+  return alarm != nullptr && alarm->kind->severity != Severity::warning;
+}
+
+}  // namespace
+
+tl::expected<Rig, Entry> Rig::make(const Case& test, const std::string& dialect) {
+  SetupOptions options;
+  options.dialect = dialect;
+  options.assignments = test.settings;
+  options.optional_stop = test.optional_stop;
+  options.block_skip = test.block_skip;
+  auto controller = make_controller(options);
+  if (!controller) return tl::unexpected(refusal(controller.error().front()));
+  if (test.ideal) {
+    for (const Axis axis : controller->machine.axes) {
+      AxisSettings& settings = controller->machine.axis[index(axis)];
+      settings.acceleration = kIdealAcceleration;
+      settings.jerk = kIdealJerk;
+    }
+  }
+  return Rig(*std::move(controller), test.recover);
+}
+
+Rig::Rig(Controller controller, bool recover) : controller_(std::move(controller)), recover_(recover) {
+  for (const Axis axis : controller_.machine.axes) position_[axis] = controller_.machine[axis].start;
+}
+
+ProgramRun Rig::run(const std::string& text) {
+  auto source = Source::from_text("case", text);
+  if (interpreter_) {
+    interpreter_->load(std::move(source), position_);
+  } else {
+    interpreter_ =
+        std::make_unique<Interpreter>(controller_.rules, std::move(source), controller_.interpreter_options);
+  }
+  const auto toolpath = std::make_unique<Toolpath<Interpreter>>(*interpreter_, controller_.machine,
+                                                                controller_.toolpath_policy);
+  ProgramRun run;
+  while (const Action* action = toolpath->next()) {
+    run.actions.push_back(*action);
+    if (auto event = event_of(*action, controller_.machine.axes, controller_.feed_policy)) {
+      run.events.push_back(*std::move(event));
+    }
+    if (const auto* move = std::get_if<Move>(&action->what)) position_ = move->end;
+    if (const auto* spindle = std::get_if<Spindle>(&action->what)) spindle_ = *spindle;
+    if (!is_alarm(*action)) continue;
+    if (!recover_) break;
+    interpreter_->recover();
+  }
+  run.state = interpreter_->state();
+  run.work_origin = controller_.rules->work_origin(run.state);
+  run.position = position_;
+  run.spindle = spindle_;
+  return run;
+}
+
+}  // namespace kerf::conformance

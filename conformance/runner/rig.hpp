@@ -1,0 +1,48 @@
+#pragma once
+// The controller under test: makes it as a case asks, runs the case's programs on it, and keeps what they
+// gave.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "conformance/runner/case.hpp"
+#include "dialect/setup.hpp"
+#include "toolpath/toolpath.hpp"
+
+namespace kerf::conformance {
+
+/// What one program did, and the controller's state behind it.
+struct ProgramRun {
+  std::vector<Action> actions;
+  std::vector<Entry> events;  ///< of all kinds, moves of no length left out
+  State state;
+  AxisVector work_origin;  ///< machine coordinates, of the system in force at the end
+  AxisVector position;     ///< machine coordinates where the axes stand at the end
+  Spindle spindle;         ///< the last spindle action; off before any
+};
+
+/// Programs of a case follow each other on one controller: offsets, shifts, tool and positions carry over.
+class Rig {
+ public:
+  /// The error is the event `refused KEY`.
+  static tl::expected<Rig, Entry> make(const Case& test, const std::string& dialect);
+
+  /// Runs the next program to its end or to its first alarm; with the case's `recover` to its end.
+  ProgramRun run(const std::string& text);
+
+  const Controller& controller() const { return controller_; }
+
+ private:
+  Rig(Controller controller, bool recover);
+
+  Controller controller_;
+  bool recover_ = false;
+  AxisVector position_;
+  Spindle spindle_;
+  std::unique_ptr<Interpreter> interpreter_;  ///< from the first program on
+};
+
+}  // namespace kerf::conformance

@@ -1,0 +1,76 @@
+#include "execute/travel.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "geometry/circular_arc.hpp"
+
+namespace kerf {
+namespace {
+
+/// The smallest and largest coordinates of the axes on a move, its start left out unless it is an arc.
+struct Extent {
+  AxisVector low;
+  AxisVector high;
+};
+
+Extent extent_of(const Move& move) {
+  Extent extent{move.end, move.end};
+  if (!is_arc(move.mode)) return extent;
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    extent.low.values[i] = std::min(move.start.values[i], move.end.values[i]);
+    extent.high.values[i] = std::max(move.start.values[i], move.end.values[i]);
+  }
+  const Vec2 center{move.arc.center[0], move.arc.center[1]};
+  CircularArc arc =
+      arc_through({move.start[move.plane.first], move.start[move.plane.second]}, center, move.arc.sweep);
+  arc.radius = move.arc.radius;
+  const PlanarBox box = bounds_of(arc);
+  extent.low[move.plane.first] = box.low.x;
+  extent.low[move.plane.second] = box.low.y;
+  extent.high[move.plane.first] = box.high.x;
+  extent.high[move.plane.second] = box.high.y;
+  return extent;
+}
+
+}  // namespace
+
+Travel::Travel(const Machine& machine) {
+  lower_.fill(-std::numeric_limits<double>::infinity());
+  upper_.fill(std::numeric_limits<double>::infinity());
+  for (const Axis axis : machine.axes) {
+    lower_[index(axis)] = machine[axis].lower_limit;
+    upper_[index(axis)] = machine[axis].upper_limit;
+    type_[index(axis)] = machine[axis].type;
+  }
+}
+
+bool Travel::contains_arc(const Move& move) const {
+  const Extent extent = extent_of(move);
+  return contains(extent.low) && contains(extent.high);
+}
+
+std::optional<Excess> Travel::excess_of(const Move& move) const {
+  const Extent extent = extent_of(move);
+  const auto above = excess_of(extent.high);
+  return above ? above : excess_of(extent.low);
+}
+
+std::optional<Excess> Travel::excess_of(const AxisVector& position) const {
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    const double reached = position.values[i];
+    if (reached > upper_[i] + kRounding || reached < lower_[i] - kRounding) {
+      return Excess{static_cast<Axis>(i), reached};
+    }
+  }
+  return std::nullopt;
+}
+
+FixedText<200> Travel::message_for(const Excess& excess) const {
+  const std::size_t i = index(excess.axis);
+  const char* unit = type_[i] == AxisType::rotary ? "deg" : "mm";
+  return FixedText<200>::format("{} would reach {:.3f} {}; travel is {:.3f} to {:.3f} {}",
+                                letter(excess.axis), excess.reached, unit, lower_[i], upper_[i], unit);
+}
+
+}  // namespace kerf

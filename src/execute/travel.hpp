@@ -1,0 +1,56 @@
+#pragma once
+// The range of travel of the machine's axes.
+
+#include <array>
+#include <optional>
+
+#include "base/fixed_text.hpp"
+#include "execute/action.hpp"
+#include "machine/machine.hpp"
+
+namespace kerf {
+
+/// An axis that would leave its travel.
+struct Excess {
+  Axis axis = Axis::X;
+  double reached = 0.0;  ///< machine coordinate, mm or degrees
+};
+
+class Travel {
+ public:
+  explicit Travel(const Machine& machine);
+
+  /// Machine coordinates within the limits of every axis, up to 0.000001 mm or degrees.
+  bool contains(const AxisVector& position) const {
+    bool inside = true;
+    for (std::size_t i = 0; i < kAxisCount; ++i) {
+      inside = inside && position.values[i] >= lower_[i] - kRounding &&
+               position.values[i] <= upper_[i] + kRounding;
+    }
+    return inside;
+  }
+  /// The end of a move and, on an arc, its outermost points; the start is not looked at.
+  bool contains(const Move& move) const {
+    return contains(move.end) && (!is_arc(move.mode) || contains_arc(move));
+  }
+
+  /// The first axis that a move or a position takes out of its travel.
+  std::optional<Excess> excess_of(const Move& move) const;
+  std::optional<Excess> excess_of(const AxisVector& position) const;
+  /// "X would reach 600.000 mm; travel is 0.000 to 500.000 mm"
+  FixedText<200> message_for(const Excess& excess) const;
+
+  double lower(std::size_t i) const { return lower_[i]; }
+  double upper(std::size_t i) const { return upper_[i]; }
+
+  static constexpr double kRounding = 1e-6;  ///< mm or degrees
+
+ private:
+  bool contains_arc(const Move& move) const;
+
+  std::array<double, kAxisCount> lower_;  // minus infinity for axes the machine lacks
+  std::array<double, kAxisCount> upper_;
+  std::array<AxisType, kAxisCount> type_{};
+};
+
+}  // namespace kerf

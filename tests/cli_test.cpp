@@ -1,0 +1,214 @@
+// The kerf command as a user's shell sees it: exit status, standard output, standard error, files.
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace kerf {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int status = -1;
+  std::string out;
+  std::string err;
+};
+
+std::string contents(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+class CommandLine : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "kerf-cli-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string file(const std::string& name, std::string_view text) {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+    return (folder_ / name).string();
+  }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  Outcome kerf(const std::string& arguments) {
+    const std::string command =
+        std::string(KERF_BINARY) + " " + arguments + " >" + path("out") + " 2>" + path("err");
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128, contents(folder_ / "out"),
+            contents(folder_ / "err")};
+  }
+
+  fs::path folder_;
+};
+
+constexpr std::string_view kGood = "%\nG21G90S5000M03F600.0\nG00X10.0\nG01X20.0Y5.0\nM02\n%\n";
+constexpr std::string_view kBad = "%\nG21G90S5000M03F600.0\nG00X10.0\nG05X1.0\nG01X20.0\nG41X5.0\nM02\n%\n";
+
+TEST_F(CommandLine, AGoodProgramPasses) {
+  const Outcome outcome = kerf("check " + file("good.nc", kGood));
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.out.find("no alarms, no warnings, 4 blocks executed"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.err, "");
+}
+
+TEST_F(CommandLine, CheckFindsSeveralAlarmsInOnePass) {
+  const Outcome outcome = kerf("check " + file("bad.nc", kBad));
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.out.find("bad.nc:4:1"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("unknown-code"), std::string::npos);
+  EXPECT_NE(outcome.out.find("bad.nc:6:1"), std::string::npos);
+  EXPECT_NE(outcome.out.find("missing-word"), std::string::npos);
+  EXPECT_NE(outcome.out.find("2 alarms"), std::string::npos);
+}
+
+TEST_F(CommandLine, MaxAlarmsEndsTheCheck) {
+  const Outcome outcome = kerf("check --max-alarms 1 " + file("bad.nc", kBad));
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.out.find("missing-word"), std::string::npos);
+}
+
+TEST_F(CommandLine, PathStopsAtTheFirstAlarm) {
+  const Outcome outcome = kerf("path --json " + file("bad.nc", kBad));
+  EXPECT_EQ(outcome.status, 1);
+  std::istringstream lines(outcome.out);
+  std::string line;
+  std::vector<nlohmann::json> events;
+  while (std::getline(lines, line)) events.push_back(nlohmann::json::parse(line));
+  ASSERT_EQ(events.size(), 3U);
+  EXPECT_EQ(events[0]["event"], "spindle");
+  EXPECT_EQ(events[1]["event"], "move");
+  EXPECT_EQ(events[1]["mode"], "rapid");
+  EXPECT_EQ(events[1]["end"]["X"], 10.0);
+  EXPECT_TRUE(events[1]["feed"].is_null());
+  EXPECT_EQ(events[2]["event"], "alarm");
+  EXPECT_EQ(events[2]["code"], "DGS");
+  EXPECT_EQ(events[2]["detail"], "unknown-code");
+  EXPECT_EQ(events[2]["line"], 4);
+}
+
+TEST_F(CommandLine, RunPrintsTheTimes) {
+  const Outcome outcome = kerf("run --json --set axes.X.acceleration=1e9 --set axes.Y.acceleration=1e9 " +
+                               file("good.nc", kGood));
+  EXPECT_EQ(outcome.status, 0);
+  const auto summary = nlohmann::json::parse(outcome.out);
+  // 10 mm at 6000 mm/min, then the way of 10 and 5 mm at 600 mm/min.
+  EXPECT_NEAR(summary["rapid_s"].get<double>(), 0.1, 1e-6);
+  EXPECT_NEAR(summary["cutting_s"].get<double>(), std::hypot(10.0, 5.0) / 10.0, 1e-6);
+  EXPECT_EQ(summary["blocks"], 4);
+}
+
+TEST_F(CommandLine, RunWritesItsFiles) {
+  const Outcome outcome = kerf("run " + file("good.nc", kGood) + " --plot " + path("p.svg") + " --report " +
+                               path("r.html") + " --trace " + path("t.csv"));
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(contents(folder_ / "p.svg").find("<svg"), std::string::npos);
+  EXPECT_NE(contents(folder_ / "r.html").find("<!doctype html>"), std::string::npos);
+  const std::string trace = contents(folder_ / "t.csv");
+  EXPECT_EQ(trace.substr(0, trace.find('\n')).find("t_s,line,feed_mm_min,X_cmd,X_act,X_vel"), 0U);
+}
+
+TEST_F(CommandLine, NoOutputFileIsLeftWhenItCannotBeWritten) {
+  const Outcome outcome = kerf("run " + file("good.nc", kGood) + " --plot " + path("missing/p.svg"));
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_FALSE(outcome.err.empty());
+  EXPECT_FALSE(fs::exists(folder_ / "missing"));
+}
+
+TEST_F(CommandLine, WhatIsNoProgramIsRefused) {
+  fs::create_directory(folder_ / "folder");
+  const std::string binary(
+      "\x7f"
+      "ELF\0\0\0\0%\nG1\n",
+      14);
+  for (const std::string& name : {path("missing.nc"), path("folder"), file("empty.nc", ""),
+                                  file("blank.nc", "\n \n"), file("binary.nc", binary)}) {
+    for (const char* command : {"check ", "path ", "run "}) {
+      const Outcome outcome = kerf(command + name);
+      EXPECT_EQ(outcome.status, 2) << command << name;
+      EXPECT_NE(outcome.err.find("kerf: "), std::string::npos) << command << name;
+    }
+  }
+}
+
+TEST_F(CommandLine, OddTextsGiveAnAlarm) {
+  EXPECT_EQ(kerf("check " + file("cr.nc", "%\rG21\rM02\r%\r")).status, 1);
+  EXPECT_EQ(kerf("check " +
+                 file("nul.nc", std::string("%\n", 2) + std::string(5000, ' ') + std::string("G\0\n", 3)))
+                .status,
+            1);
+  EXPECT_EQ(kerf("check " + file("text.nc", "Dear machinist,\nplease drill a hole.\n")).status, 1);
+  EXPECT_EQ(kerf("check " + file("crlf.nc", "%\r\nG21\r\nM02\r\n%\r\n")).status, 0);
+  EXPECT_EQ(kerf("check " + file("bom.nc", "\xEF\xBB\xBF%\nG21\nM02\n%\n")).status, 0);
+}
+
+TEST_F(CommandLine, WrongUsage) {
+  EXPECT_EQ(kerf("").status, 2);
+  const Outcome typo = kerf("chekc x.nc");
+  EXPECT_EQ(typo.status, 2);
+  EXPECT_NE(typo.err.find("kerf check"), std::string::npos) << typo.err;
+  EXPECT_EQ(kerf("check").status, 2);
+  EXPECT_EQ(kerf("path --json --quiet " + file("good.nc", kGood)).status, 2);
+  const Outcome key = kerf("check --set axes.X.rapit=1 " + file("good.nc", kGood));
+  EXPECT_EQ(key.status, 2);
+  EXPECT_NE(key.err.find("axes.X.rapid"), std::string::npos) << key.err;
+}
+
+TEST_F(CommandLine, HelpAndVersionAreNoErrors) {
+  for (const char* command : {"", "check ", "path ", "run ", "codes ", "alarms ", "machine "}) {
+    const Outcome outcome = kerf(std::string(command) + "--help");
+    EXPECT_EQ(outcome.status, 0) << command;
+    EXPECT_NE(outcome.out.find("Example"), std::string::npos) << command;
+  }
+  EXPECT_EQ(kerf("--version").out.substr(0, 5), "kerf ");
+}
+
+TEST_F(CommandLine, StandardInput) {
+  EXPECT_EQ(kerf("check - <" + file("good.nc", kGood)).status, 0);
+}
+
+TEST_F(CommandLine, OptionalStopAndBlockSkip) {
+  const std::string name = file("skip.nc", "%\nG21G90\n/G00X1.0\nM01\nM02\n%\n");
+  EXPECT_NE(kerf("path --json " + name).out.find("\"move\""), std::string::npos);
+  EXPECT_EQ(kerf("path --json --block-skip " + name).out.find("\"move\""), std::string::npos);
+  EXPECT_EQ(kerf("path --json " + name).out.find("\"stop\""), std::string::npos);
+  EXPECT_NE(kerf("path --json --optional-stop " + name).out.find("\"stop\""), std::string::npos);
+}
+
+TEST_F(CommandLine, AlarmsAndCodes) {
+  EXPECT_NE(kerf("alarms").out.find("arc-radius"), std::string::npos);
+  EXPECT_EQ(kerf("alarms arc-radius").status, 0);
+  EXPECT_EQ(kerf("alarms no-such-alarm").status, 2);
+  EXPECT_NE(kerf("codes").out.find("G83"), std::string::npos);
+  std::istringstream lines(kerf("codes --json").out);
+  std::string line;
+  while (std::getline(lines, line)) EXPECT_TRUE(nlohmann::json::accept(line)) << line;
+}
+
+TEST_F(CommandLine, MachineFiles) {
+  EXPECT_EQ(kerf("machine init " + path("mill.toml")).status, 0);
+  EXPECT_EQ(kerf("machine init " + path("mill.toml")).status, 2) << "an existing file stays";
+  EXPECT_EQ(kerf("machine check " + path("mill.toml")).status, 0);
+  EXPECT_EQ(kerf("check --machine " + path("mill.toml") + " " + file("good.nc", kGood)).status, 0);
+  const Outcome bad = kerf("machine check " + file("bad.toml", "[axes.X]\nrapid = \"fast\"\n"));
+  EXPECT_EQ(bad.status, 2);
+  EXPECT_NE(bad.err.find("bad.toml:2:"), std::string::npos) << bad.err;
+  EXPECT_NE(kerf("machine show --set axes.X.rapid=8000").out.find("8000"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace kerf

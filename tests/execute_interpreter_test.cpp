@@ -1,0 +1,117 @@
+#include <gtest/gtest.h>
+
+#include "dialect/setup.hpp"
+#include "execute/interpreter.hpp"
+#include "toolpath/toolpath.hpp"
+
+namespace kerf {
+namespace {
+
+Controller controller(std::vector<std::string> assignments = {}) {
+  SetupOptions options;
+  options.dialect = "dgshape";
+  options.assignments = std::move(assignments);
+  auto made = make_controller(options);
+  EXPECT_TRUE(made.has_value());
+  return std::move(*made);
+}
+
+Interpreter interpreter(const Controller& c, std::string_view text) {
+  return Interpreter(c.rules, Source::from_text("test", text), c.interpreter_options);
+}
+
+const Move& next_move(Interpreter& program) {
+  for (;;) {
+    const Action* action = program.next();
+    EXPECT_NE(action, nullptr);
+    if (const auto* move = std::get_if<Move>(&action->what)) return *move;
+  }
+}
+
+constexpr std::string_view kDrilling =
+    "%\nG21G90S1000M03F100.0\nG91G81X10.0Z-1.0R-1.0K3\nG80\nG90G00X0\nM02\n%\n";
+
+TEST(Interpreter, ACopyInsideAFixedCycleGoesOnAlike) {
+  const Controller c = controller();
+  Interpreter original = interpreter(c, kDrilling);
+  next_move(original);
+  next_move(original);
+  Interpreter copy = original;
+  std::vector<AxisVector> first;
+  std::vector<AxisVector> second;
+  while (const Action* action = original.next()) {
+    if (const auto* move = std::get_if<Move>(&action->what)) first.push_back(move->end);
+  }
+  while (const Action* action = copy.next()) {
+    if (const auto* move = std::get_if<Move>(&action->what)) second.push_back(move->end);
+  }
+  EXPECT_EQ(first.size(), 3U * 4U - 2U + 1U);
+  EXPECT_EQ(first, second);
+}
+
+TEST(Interpreter, AnAlarmChangesNothing) {
+  const Controller c = controller();
+  // The faulty block sets G91, F, S and a coordinate system before the unknown word stops it.
+  Interpreter program = interpreter(c, "%\nG21G90F100.0\nG91G55F200.0S500X1.0B2\nG00X5.0\nM02\n");
+  const Action* action = program.next();
+  ASSERT_TRUE(std::holds_alternative<Alarm>(action->what));
+  EXPECT_EQ(program.state().registers.modal[Group::distance], code(90));
+  EXPECT_EQ(program.state().registers.modal[Group::work_system], code(54));
+  EXPECT_DOUBLE_EQ(program.state().registers.feed, 100.0);
+  EXPECT_EQ(program.next(), nullptr);
+  program.recover();
+  EXPECT_DOUBLE_EQ(next_move(program).end[Axis::X], 5.0);
+}
+
+TEST(Interpreter, EveryActionKnowsItsBlock) {
+  const Controller c = controller();
+  Interpreter program = interpreter(c, "%\nO12\nN10G21G90\nN20G00X1.0\n\nY2.0\nM02\n");
+  const Action* action = program.next();
+  EXPECT_EQ(action->origin.program, 12);
+  EXPECT_EQ(action->origin.sequence_number, 20);
+  EXPECT_EQ(action->origin.span.line, 4U);
+  EXPECT_EQ(action->origin.block, 3U);
+  action = program.next();
+  EXPECT_EQ(action->origin.sequence_number, 20) << "the number in force stays until the next";
+  EXPECT_EQ(action->origin.span.line, 6U);
+}
+
+TEST(Interpreter, DataThatJustEndsStopsTheSpindleWithAWarning) {
+  const Controller c = controller();
+  Interpreter program = interpreter(c, "%\nS1000M03\n");
+  EXPECT_EQ(std::get<Spindle>(program.next()->what).direction, SpindleDirection::clockwise);
+  const auto warning = std::get<Alarm>(program.next()->what);
+  EXPECT_EQ(warning.kind->detail, "no-program-end");
+  EXPECT_EQ(warning.kind->severity, Severity::warning);
+  EXPECT_EQ(std::get<Spindle>(program.next()->what).direction, SpindleDirection::off);
+  EXPECT_TRUE(std::holds_alternative<End>(program.next()->what));
+  EXPECT_EQ(program.next(), nullptr);
+}
+
+TEST(Interpreter, OverTravelIsFoundBeforeTheBlockMoves) {
+  const Controller c = controller({"axes.X.limits=[0,100]"});
+  Interpreter program = interpreter(c, "%\nG21G90\nG00X100.001\nG91X1.0\nM02\n");
+  EXPECT_EQ(std::get<Alarm>(program.next()->what).kind->detail, "over-travel");
+  program.recover();
+  EXPECT_DOUBLE_EQ(next_move(program).end[Axis::X], 1.0) << "the refused block must not move the position";
+}
+
+TEST(Setup, ReportsEveryErrorAtOnce) {
+  SetupOptions options;
+  options.assignments = {"axes.X.rapit=1", "dgshape.feed_override=lots"};
+  const auto made = make_controller(options);
+  ASSERT_FALSE(made.has_value());
+  ASSERT_EQ(made.error().size(), 2U);
+  EXPECT_NE(error_text(made.error()[0]).find("axes.X.rapid"), std::string::npos);
+}
+
+TEST(Setup, UnknownDialectNamesTheKnownOnes) {
+  SetupOptions options;
+  options.dialect = "fanuc";
+  const auto made = make_controller(options);
+  ASSERT_FALSE(made.has_value());
+  EXPECT_NE(made.error()[0].remedy.find("dgshape"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace kerf
