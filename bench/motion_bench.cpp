@@ -1,8 +1,8 @@
-// Speed of the motion stage: planning, interpolation, and both together. Targets on one core: 2 million planned
-// segments a second, 20 million cycles of eight axes a second, 1 million blocks of about five cycles a second.
+// Speed of the motion stage: planning, interpolation, and both together. Targets on one core: 2 million
+// planned segments a second, 20 million cycles of eight axes a second, 1 million blocks of about five cycles
+// a second.
 
 #include <benchmark/benchmark.h>
-
 #include <cmath>
 #include <vector>
 
@@ -119,9 +119,9 @@ void run_blocks(benchmark::State& state) {
   double cycles_per_block = 0.0;
   for (auto _ : state) {
     std::size_t next = 0;
-    const RunRecord record = run(
-        [&]() -> const Action* { return next < actions.size() ? &actions[next++] : nullptr; }, eight_axes(),
-        FeedPolicy{}, options);
+    const RunRecord record =
+        run([&]() -> const Action* { return next < actions.size() ? &actions[next++] : nullptr; },
+            eight_axes(), FeedPolicy{}, options);
     cycles_per_block = static_cast<double>(record.summary.cycles) / static_cast<double>(actions.size());
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(actions.size()));

@@ -102,7 +102,8 @@ class Promises {
     require(alarm.kind != nullptr, "an alarm has a kind");
     require(alarm.span.offset <= text_.size(), "an alarm lies inside the text");
     // A fault at the very end may point at the line feed that Source keeps behind the text.
-    require(alarm.span.length <= text_.size() + 1 - alarm.span.offset, "an alarm's span ends inside the text");
+    require(alarm.span.length <= text_.size() + 1 - alarm.span.offset,
+            "an alarm's span ends inside the text");
     require(!kerf::message_of(alarm).empty() && !kerf::remedy_of(alarm).empty(),
             "an alarm says why and what to do");
   }

@@ -117,7 +117,7 @@ TEST_F(CommandLine, RunWritesItsFiles) {
                                path("r.html") + " --trace " + path("t.csv"));
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(contents(folder_ / "p.svg").find("<svg"), std::string::npos);
-  EXPECT_NE(contents(folder_ / "r.html").find("<!doctype html>"), std::string::npos);
+  EXPECT_NE(contents(folder_ / "r.html").find("<html"), std::string::npos);
   const std::string trace = contents(folder_ / "t.csv");
   EXPECT_EQ(trace.substr(0, trace.find('\n')).find("t_s,line,feed_mm_min,X_cmd,X_act,X_vel"), 0U);
 }

@@ -10,8 +10,8 @@
 
 namespace kerf {
 
-/// Formats into a buffer without allocating; the result is the length of the whole text, which may be more than the
-/// capacity. Out of line: the formatting machinery is compiled once.
+/// Formats into a buffer without allocating; the result is the length of the whole text, which may be more
+/// than the capacity. Out of line: the formatting machinery is compiled once.
 std::size_t format_into(char* buffer, std::size_t capacity, fmt::string_view pattern, fmt::format_args args);
 
 template <std::size_t Capacity>
@@ -33,7 +33,8 @@ class FixedText {
   template <class... Args>
   static FixedText format(fmt::format_string<Args...> pattern, Args&&... args) {
     FixedText text;
-    const std::size_t size = format_into(text.data_.data(), Capacity, pattern, fmt::make_format_args(args...));
+    const std::size_t size =
+        format_into(text.data_.data(), Capacity, pattern, fmt::make_format_args(args...));
     text.size_ = static_cast<std::uint16_t>(std::min(size, Capacity));
     return text;
   }
