@@ -16,6 +16,8 @@ double on_grid(double value) {
   return std::nearbyint(value * kGridPerMm) / kGridPerMm;
 }
 
+constexpr WordMask kAxisAddresses = mask_of("XYZA");
+
 /// Scaled destinations are rounded to the machine's least increment (DGS-396).
 double to_least_increment(double value) {
   return std::round(value * 1e4) / 1e4;
@@ -40,6 +42,8 @@ bool BlockRun::run() {
   const CodeNumber unit = words_.has(Group::unit) ? words_[Group::unit] : registers.modal[Group::unit];
   reader_ = NumberReader(settings_, unit == code(20));
   offset_was_on_ = offset_on();
+  // Most blocks only name the next point; they can change nothing but the position.
+  if (words_.only(kAxisAddresses)) return operation() && every_word_used();
   return numbers() && stand_alone() && feed() && spindle() && auxiliary() && modal() && operation() &&
          every_word_used();
 }

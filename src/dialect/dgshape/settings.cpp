@@ -92,15 +92,11 @@ constexpr Parameter kParameters[] = {
 };
 
 constexpr DefaultOverride kDefaultMachine[] = {
-    {"machine.name", "\"DGSHAPE mill\""},
-    {"axes.X.number", "1"},
-    {"axes.Y.number", "2"},
-    {"axes.Z.number", "3"},
-    {"axes.A.number", "4"},
-    {"axes.A.type", "\"rotary\""},
-    {"axes.A.rapid", "10000.0"},
-    {"axes.A.max_feed", "10000.0"},
-    {"axes.A.acceleration", "1000.0"},
+    {"dialect", "\"dgshape\""},     {"machine.name", "\"DGSHAPE mill\""},
+    {"axes.X.number", "1"},         {"axes.Y.number", "2"},
+    {"axes.Z.number", "3"},         {"axes.A.number", "4"},
+    {"axes.A.type", "\"rotary\""},  {"axes.A.rapid", "10000.0"},
+    {"axes.A.max_feed", "10000.0"}, {"axes.A.acceleration", "1000.0"},
     {"axes.A.jerk", "10000.0"},
 };
 
