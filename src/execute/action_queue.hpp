@@ -25,6 +25,13 @@ class ActionQueue {
     action.origin = origin_;
     return action.what.template emplace<T>();
   }
+  /// A move for the caller to fill in from head to foot: zeroing one first costs more than executing a block.
+  Move& push_unset_move() {
+    Action& action = actions_.push();
+    action.origin = origin_;
+    if (auto* move = std::get_if<Move>(&action.what)) return *move;
+    return action.what.emplace<Move>();
+  }
   const Origin& origin() const { return origin_; }
   std::size_t pushed() const { return actions_.size() - mark_; }
 

@@ -42,6 +42,11 @@ Travel::Travel(const Machine& machine) {
     lower_[index(axis)] = machine[axis].lower_limit;
     upper_[index(axis)] = machine[axis].upper_limit;
     type_[index(axis)] = machine[axis].type;
+    axes_ = index(axis) + 1;
+  }
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    lowest_[i] = lower_[i] - kRounding;
+    highest_[i] = upper_[i] + kRounding;
   }
 }
 
@@ -59,7 +64,7 @@ std::optional<Excess> Travel::excess_of(const Move& move) const {
 std::optional<Excess> Travel::excess_of(const AxisVector& position) const {
   for (std::size_t i = 0; i < kAxisCount; ++i) {
     const double reached = position.values[i];
-    if (reached > upper_[i] + kRounding || reached < lower_[i] - kRounding) {
+    if (reached > highest_[i] || reached < lowest_[i]) {
       return Excess{static_cast<Axis>(i), reached};
     }
   }

@@ -23,9 +23,8 @@ class Travel {
   /// Machine coordinates within the limits of every axis, up to 0.000001 mm or degrees.
   bool contains(const AxisVector& position) const {
     bool inside = true;
-    for (std::size_t i = 0; i < kAxisCount; ++i) {
-      inside = inside && position.values[i] >= lower_[i] - kRounding &&
-               position.values[i] <= upper_[i] + kRounding;
+    for (std::size_t i = 0; i < axes_; ++i) {
+      inside &= position.values[i] >= lowest_[i] && position.values[i] <= highest_[i];
     }
     return inside;
   }
@@ -50,6 +49,9 @@ class Travel {
 
   std::array<double, kAxisCount> lower_;  // minus infinity for axes the machine lacks
   std::array<double, kAxisCount> upper_;
+  std::array<double, kAxisCount> lowest_;   // the same with the rounding allowed
+  std::array<double, kAxisCount> highest_;
+  std::size_t axes_ = 0;  // the machine has none behind this one
   std::array<AxisType, kAxisCount> type_{};
 };
 

@@ -91,10 +91,14 @@ bool BlockReader::fail(SyntaxFault fault, const char* at, std::size_t length) {
 }
 
 void BlockReader::to_next_line(const char* p) {
+  ++line_;
+  if (*p == '\n') {
+    line_start_ = p + 1;
+    return;
+  }
   // The sentinel behind the text guarantees a line feed.
   const auto* feed = static_cast<const char*>(std::memchr(p, '\n', static_cast<std::size_t>(end_ - p) + 1));
   line_start_ = feed + 1;
-  ++line_;
 }
 
 bool BlockReader::find_data_start() {

@@ -3,20 +3,11 @@
 #include <cmath>
 
 #include "dialect/dgshape/alarms.hpp"
+#include "dialect/dgshape/destination.hpp"
 #include "execute/moves.hpp"
 
 namespace kerf::dgshape {
 namespace {
-
-/// Destinations lie on a grid far finer than any increment, so that sums of increments do not drift apart
-/// from the coordinates they stand for.
-constexpr double kGridPerMm = 1e6;
-
-double on_grid(double value) {
-  return std::nearbyint(value * kGridPerMm) / kGridPerMm;
-}
-
-constexpr WordMask kAxisAddresses = mask_of("XYZA");
 
 /// Scaled destinations are rounded to the machine's least increment (DGS-396).
 double to_least_increment(double value) {
@@ -42,8 +33,6 @@ bool BlockRun::run() {
   const CodeNumber unit = words_.has(Group::unit) ? words_[Group::unit] : registers.modal[Group::unit];
   reader_ = NumberReader(settings_, unit == code(20));
   offset_was_on_ = offset_on();
-  // Most blocks only name the next point; they can change nothing but the position.
-  if (words_.only(kAxisAddresses)) return operation() && every_word_used();
   return numbers() && stand_alone() && feed() && spindle() && auxiliary() && modal() && operation() &&
          every_word_used();
 }
@@ -163,12 +152,12 @@ double BlockRun::scaled_length(double value) const {
 
 double BlockRun::destination(Axis axis, double value) const {
   const bool scales = scaled() && axis != Axis::A;
-  if (incremental()) return on_grid(registers.position[axis] + (scales ? scaled_length(value) : value));
-  if (scales) {
+  if (scales && incremental()) value = scaled_length(value);
+  if (scales && !incremental()) {
     const double reference = registers.scaling.reference[axis];
     value = to_least_increment(reference + registers.scaling.factor * (value - reference));
   }
-  return on_grid(origin_[axis] + value);
+  return on_grid((incremental() ? registers.position[axis] : origin_[axis]) + value);
 }
 
 bool BlockRun::target_of_words(std::string_view axes, AxisVector& target) {

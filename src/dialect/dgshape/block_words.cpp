@@ -55,12 +55,10 @@ bool BlockWords::take_g(const Block& block, std::size_t i, const CodeIndex& inde
 bool BlockWords::collect(const Block& block, const CodeIndex& index, std::optional<Alarm>& alarm) {
   block_ = &block.words;
   present_ = 0;
-  any_code_ = false;
   codes_.fill(kNone);
   m_words_.clear();
   for (std::size_t i = 0; i < block.words.size(); ++i) {
     const Word& word = block.words[i];
-    any_code_ = any_code_ || word.address == 'G' || word.address == 'M';
     if (word.address == 'G') {
       if (!take_g(block, i, index, alarm)) return false;
       continue;

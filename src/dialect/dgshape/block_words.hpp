@@ -45,8 +45,6 @@ class BlockWords {
 
   bool has(char address) const { return (present_ & mask(address)) != 0; }
   WordMask present() const { return present_; }
-  /// No G and no M word, and no address beside these.
-  bool only(WordMask addresses) const { return !any_code_ && (present_ & ~addresses) == 0; }
   /// The word of an address that has() confirmed.
   const Word& word(char address) const { return (*block_)[at_[static_cast<std::size_t>(address - 'A')]]; }
   /// The code of a group, the last one when several were written (manual 1-3); kNone without.
@@ -64,7 +62,6 @@ class BlockWords {
 
   const FixedVector<Word, Block::kMaxWords>* block_ = nullptr;
   WordMask present_ = 0;
-  bool any_code_ = false;
   std::array<std::uint8_t, 26> at_{};
   std::array<CodeNumber, kGroupCount> codes_{};
   std::array<std::uint8_t, kGroupCount> code_at_{};

@@ -32,9 +32,11 @@ std::int64_t in_steps(const Decimal& number, int places) {
     }
     return number.digits * kPowers[static_cast<std::size_t>(shift)];
   }
-  const std::int64_t divisor = kPowers[static_cast<std::size_t>(-shift)];
-  const std::int64_t half = number.digits < 0 ? -divisor / 2 : divisor / 2;
-  return (number.digits + half) / divisor;
+  const std::int64_t half = kPowers[static_cast<std::size_t>(-shift)] / 2;
+  std::int64_t steps = number.digits + (number.digits < 0 ? -half : half);
+  // Digit by digit: a division by a constant ten is a multiplication, one by a variable takes many cycles.
+  for (int i = shift; i < 0; ++i) steps /= 10;
+  return steps;
 }
 
 bool inside_integer_range(const Decimal& number) {

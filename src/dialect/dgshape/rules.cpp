@@ -5,6 +5,7 @@
 
 #include "dialect/dgshape/alarms.hpp"
 #include "dialect/dgshape/block_run.hpp"
+#include "dialect/dgshape/coordinate_block.hpp"
 
 namespace kerf::dgshape {
 namespace {
@@ -70,6 +71,7 @@ BlockOutcome Rules::execute(const Block& block, const Origin& origin, State& sta
   place.program = state.registers.program;
   place.sequence_number = state.registers.sequence_number;
   queue.begin(place);
+  if (run_coordinate_block(*this, block, state, queue)) return BlockOutcome::done;
   const Registers before = state.registers;
   BlockRun run(*this, block, state, queue);
   if (!run.run()) {
@@ -116,7 +118,10 @@ AxisVector Rules::work_origin(const State& state) const {
 
 AxisVector workpiece_origin(const Registers& registers, const Tables& tables) {
   const auto system = static_cast<std::size_t>(registers.modal[Group::work_system] / 10 - 53);
-  return tables.work_offsets[0] + tables.work_offsets[system] + registers.shift;
+  AxisVector origin = tables.work_offsets[0];
+  origin += tables.work_offsets[system];
+  origin += registers.shift;
+  return origin;
 }
 
 }  // namespace kerf::dgshape
