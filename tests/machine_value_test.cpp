@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/edit_distance.hpp"
 #include "machine/nearest_key.hpp"
 #include "machine/value.hpp"
 

@@ -1,9 +1,10 @@
 // kerf_conformance: runs the conformance cases and reports which of the manuals' statements they prove.
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fmt/format.h>
+#include <getopt.h>
 #include <iterator>
 #include <set>
 #include <string>
@@ -149,18 +150,31 @@ int run(const Options& options) {
 }  // namespace kerf::conformance
 
 int main(int argc, char** argv) {
+  constexpr std::string_view kUsage =
+      "usage: kerf_conformance [--list-missing] [--table NAME] [--filter TEXT] DIR\n"
+      "Runs the conformance cases of the conformance folder DIR and reports which of the manuals' statements "
+      "they "
+      "prove.\n"
+      "  --list-missing   list the statements that nothing proves\n"
+      "  --table NAME     only the cases and the coverage of this table\n"
+      "  --filter TEXT    only cases whose place, title, alternative or ids hold this text\n";
+  constexpr std::array kLong{option{"list-missing", no_argument, nullptr, 'l'},
+                             option{"table", required_argument, nullptr, 't'},
+                             option{"filter", required_argument, nullptr, 'f'}, option{}};
   kerf::conformance::Options options;
-  CLI::App app("Runs the conformance cases and reports which of the manuals' statements they prove.");
-  app.add_option("DIR", options.directory, "The conformance folder, with cases, claims and statements")
-      ->required();
-  app.add_flag("--list-missing", options.list_missing, "List the statements that nothing proves");
-  app.add_option("--table", options.table, "Only the cases and the coverage of this table");
-  app.add_option("--filter", options.filter,
-                 "Only cases whose place, title, alternative or ids hold this text");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+  for (int c = 0; (c = getopt_long(argc, argv, "", kLong.data(), nullptr)) != -1;) {
+    if (c == 'l') options.list_missing = true;
+    if (c == 't') options.table = optarg;
+    if (c == 'f') options.filter = optarg;
+    if (c == '?') {
+      fmt::print(stderr, "{}", kUsage);
+      return 2;
+    }
   }
+  if (optind + 1 != argc) {
+    fmt::print(stderr, "{}", kUsage);
+    return 2;
+  }
+  options.directory = argv[optind];
   return kerf::conformance::run(options);
 }

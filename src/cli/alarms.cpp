@@ -11,15 +11,7 @@
 #include "report/alarm_catalogue.hpp"
 
 namespace kerf {
-namespace {
-
-struct AlarmsOptions {
-  CommonOptions common;
-  std::optional<std::string> code;
-  bool json = false;
-};
-
-int alarms(const AlarmsOptions& options) {
+int alarms_command(const AlarmsOptions& options) {
   const auto controller = prepare_controller(options.common);
   if (!controller) return kExitUsage;
   const Dialect& dialect = *controller->dialect;
@@ -45,18 +37,6 @@ int alarms(const AlarmsOptions& options) {
   }
   out.flush();
   return out.good() ? kExitGood : kExitUsage;
-}
-
-}  // namespace
-
-void add_alarms(CLI::App& app, CommandAction& action) {
-  auto options = std::make_shared<AlarmsOptions>();
-  CLI::App* command = app.add_subcommand("alarms", "List every alarm, or explain one");
-  command->add_option("CODE", options->code, "Alarm code or word, for example arc-radius")->type_name("");
-  command->add_flag("--json", options->json, "JSON");
-  add_machine_options(*command, options->common);
-  command->footer("Examples:\n  kerf alarms\n  kerf alarms arc-radius");
-  command->callback([&action, options] { action = [options] { return alarms(*options); }; });
 }
 
 }  // namespace kerf

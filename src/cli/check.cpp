@@ -13,12 +13,6 @@
 namespace kerf {
 namespace {
 
-struct CheckOptions {
-  CommonOptions common;
-  std::vector<std::string> files;
-  int max_alarms = 20;
-};
-
 struct Counts {
   int alarms = 0;
   int warnings = 0;
@@ -58,7 +52,9 @@ Counts check_program(const Prepared& prepared, const CheckOptions& options, Resu
   return counts;
 }
 
-int check(const CheckOptions& options) {
+}  // namespace
+
+int check_command(const CheckOptions& options) {
   ResultStream out;
   int status = kExitGood;
   for (const std::string& file : options.files) {
@@ -72,26 +68,6 @@ int check(const CheckOptions& options) {
   }
   out.flush();
   return out.good() ? status : kExitUsage;
-}
-
-}  // namespace
-
-void add_check(CLI::App& app, CommandAction& action) {
-  auto options = std::make_shared<CheckOptions>();
-  CLI::App* command = app.add_subcommand("check", "Check programs: every alarm with place, cause and remedy");
-  command->add_option("FILE", options->files, "NC programs (- for standard input)")
-      ->required()
-      ->type_name("");
-  command->add_option("--max-alarms", options->max_alarms, "Stop checking a program after so many alarms")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1'000'000));
-  add_program_options(*command, options->common);
-  command->footer(
-      "Examples:\n"
-      "  kerf check part.nc\n"
-      "  kerf check --machine mill.toml *.nc\n"
-      "  kerf check part.nc --set dgshape.decimal_point=all");
-  command->callback([&action, options] { action = [options] { return check(*options); }; });
 }
 
 }  // namespace kerf

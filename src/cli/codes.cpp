@@ -12,11 +12,6 @@
 namespace kerf {
 namespace {
 
-struct CodesOptions {
-  CommonOptions common;
-  bool json = false;
-};
-
 void append_codes_json(std::string& out, const Dialect& dialect) {
   for (const CodeRow& row : dialect.codes) {
     nlohmann::ordered_json line{{"word", row.word}};
@@ -40,24 +35,15 @@ void append_codes_text(std::string& out, const Dialect& dialect) {
   }
 }
 
-int codes(const CodesOptions& options) {
+}  // namespace
+
+int codes_command(const CodesOptions& options) {
   const auto controller = prepare_controller(options.common);
   if (!controller) return kExitUsage;
   ResultStream out;
   (options.json ? append_codes_json : append_codes_text)(out.text(), *controller->dialect);
   out.flush();
   return out.good() ? kExitGood : kExitUsage;
-}
-
-}  // namespace
-
-void add_codes(CLI::App& app, CommandAction& action) {
-  auto options = std::make_shared<CodesOptions>();
-  CLI::App* command = app.add_subcommand("codes", "List every G, M and other word with group and format");
-  command->add_flag("--json", options->json, "JSON Lines, one word a line");
-  add_machine_options(*command, options->common);
-  command->footer("Example:\n  kerf codes --dialect dgshape");
-  command->callback([&action, options] { action = [options] { return codes(*options); }; });
 }
 
 }  // namespace kerf

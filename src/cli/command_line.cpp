@@ -1,11 +1,12 @@
 #include "cli/command_line.hpp"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <clocale>
+#include <functional>
+#include <map>
+#include <memory>
 #include <string>
-#include <vector>
 
+#include "base/edit_distance.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/exit_status.hpp"
@@ -14,19 +15,145 @@
 namespace kerf {
 namespace {
 
-int edit_distance(const std::string& a, const std::string& b) {
-  std::vector<int> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = static_cast<int>(j);
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    int diagonal = row[0];
-    row[0] = static_cast<int>(i);
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const int substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
-    }
-  }
-  return row[b.size()];
+/// What the chosen subcommand does, set by its parser.
+using CommandAction = std::function<int()>;
+
+/// --dialect, --machine, --set
+void add_machine_options(CLI::App& command, CommonOptions& options) {
+  command.add_option(
+      "--dialect", options.dialect,
+      "Controller the program is written for (dgshape); otherwise from the machine file, otherwise "
+      "from the program");
+  command.add_option("--machine", options.machine_file, "Machine file (TOML); see `kerf machine init`")
+      ->type_name("FILE");
+  command.add_option("--set", options.assignments, "Set one key of the machine file; repeatable")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+/// The above and --optional-stop, --block-skip, --program-dir, --color, -v
+void add_program_options(CLI::App& command, CommonOptions& options) {
+  add_machine_options(command, options);
+  command.add_flag("--optional-stop", options.optional_stop, "M01 stops the program");
+  command.add_flag("--block-skip", options.block_skip, "Leave out blocks that begin with /");
+  command
+      .add_option("--program-dir", options.program_dir,
+                  "Where subprograms are looked up (default: the folder of FILE)")
+      ->type_name("DIR");
+  static const std::map<std::string, ColorChoice> kColors{
+      {"auto", ColorChoice::automatic}, {"always", ColorChoice::always}, {"never", ColorChoice::never}};
+  command.add_option("--color", options.color, "Colours in diagnostics: auto, always or never")
+      ->transform(CLI::CheckedTransformer(kColors, CLI::ignore_case).description(""))
+      ->type_name("WHEN");
+  command.add_flag("-v,--verbose", options.verbose, "Say what is being done, on standard error");
+}
+
+/// When `command` is the one on the command line, `action` becomes `run` with the options it was given.
+template <class Options>
+void choose(CLI::App& command, CommandAction& action, const std::shared_ptr<Options>& options,
+            int (*run)(const Options&)) {
+  command.callback([&action, options, run] { action = [options, run] { return run(*options); }; });
+}
+
+void add_check(CLI::App& app, CommandAction& action) {
+  auto options = std::make_shared<CheckOptions>();
+  CLI::App* command = app.add_subcommand("check", "Check programs: every alarm with place, cause and remedy");
+  command->add_option("FILE", options->files, "NC programs (- for standard input)")
+      ->required()
+      ->type_name("");
+  command->add_option("--max-alarms", options->max_alarms, "Stop checking a program after so many alarms")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1'000'000));
+  add_program_options(*command, options->common);
+  command->footer(
+      "Examples:\n"
+      "  kerf check part.nc\n"
+      "  kerf check --machine mill.toml *.nc\n"
+      "  kerf check part.nc --set dgshape.decimal_point=all");
+  choose(*command, action, options, check_command);
+}
+
+void add_path(CLI::App& app, CommandAction& action) {
+  auto options = std::make_shared<PathOptions>();
+  CLI::App* command = app.add_subcommand("path", "Print where the tool really goes, step by step");
+  command->add_option("FILE", options->file, "NC program (- for standard input)")->required()->type_name("");
+  auto* json = command->add_flag("--json", options->json, "JSON Lines, one event a line");
+  command->add_flag("--quiet", options->quiet, "Execute and print only the counts")->excludes(json);
+  add_program_options(*command, options->common);
+  command->footer(
+      "Examples:\n"
+      "  kerf path part.nc\n"
+      "  kerf path part.nc --json | jq 'select(.event==\"move\") | .end'\n"
+      "  kerf path part.nc --set tools.1.radius=3");
+  choose(*command, action, options, path_command);
+}
+
+void add_run(CLI::App& app, CommandAction& action) {
+  auto options = std::make_shared<RunCommandOptions>();
+  CLI::App* command =
+      app.add_subcommand("run", "Play a program on the simulated machine: time, path, pictures");
+  command->add_option("FILE", options->file, "NC program (- for standard input)")->required()->type_name("");
+  command->add_flag("--json", options->json, "Print the summary as one JSON object");
+  command->add_option("--plot", options->plot, "Write a picture of the toolpath")->type_name("OUT.svg");
+  command->add_option("--report", options->report, "Write a report: one page that needs no network")
+      ->type_name("OUT.html");
+  command->add_option("--trace", options->trace, "Write one row for each control cycle")
+      ->type_name("OUT.csv");
+  command->add_flag("--realtime", options->realtime, "Run at the speed of the machine");
+  add_program_options(*command, options->common);
+  command->footer(
+      "Examples:\n"
+      "  kerf run part.nc\n"
+      "  kerf run part.nc --report part.html --plot part.svg\n"
+      "  kerf run part.nc --trace part.csv --set machine.cycle_ms=0.5\n"
+      "  kerf run part.nc --json --set axes.X.acceleration=1500");
+  choose(*command, action, options, run_command);
+}
+
+void add_codes(CLI::App& app, CommandAction& action) {
+  auto options = std::make_shared<CodesOptions>();
+  CLI::App* command = app.add_subcommand("codes", "List every G, M and other word with group and format");
+  command->add_flag("--json", options->json, "JSON Lines, one word a line");
+  add_machine_options(*command, options->common);
+  command->footer("Example:\n  kerf codes --dialect dgshape");
+  choose(*command, action, options, codes_command);
+}
+
+void add_alarms(CLI::App& app, CommandAction& action) {
+  auto options = std::make_shared<AlarmsOptions>();
+  CLI::App* command = app.add_subcommand("alarms", "List every alarm, or explain one");
+  command->add_option("CODE", options->code, "Alarm code or word, for example arc-radius")->type_name("");
+  command->add_flag("--json", options->json, "JSON");
+  add_machine_options(*command, options->common);
+  command->footer("Examples:\n  kerf alarms\n  kerf alarms arc-radius");
+  choose(*command, action, options, alarms_command);
+}
+
+void add_machine(CLI::App& app, CommandAction& action) {
+  auto options = std::make_shared<MachineOptions>();
+  CLI::App* command = app.add_subcommand("machine", "Write, validate or show a machine file");
+  command->require_subcommand(1);
+
+  CLI::App* init = command->add_subcommand("init", "Write a commented default machine file");
+  init->add_option("FILE", options->file, "Where to (default: standard output)")->type_name("");
+  init->add_flag("--force", options->force, "Overwrite an existing file");
+  add_machine_options(*init, options->common);
+  choose(*init, action, options, machine_init_command);
+
+  CLI::App* check = command->add_subcommand("check", "Validate a machine file");
+  check->add_option("FILE", options->file, "Machine file (TOML)")->required()->type_name("");
+  add_machine_options(*check, options->common);
+  choose(*check, action, options, machine_check_command);
+
+  CLI::App* show = command->add_subcommand("show", "Show every effective value and where it comes from");
+  show->add_option("FILE", options->file, "Machine file (TOML)")->type_name("");
+  add_machine_options(*show, options->common);
+  choose(*show, action, options, machine_show_command);
+  command->footer(
+      "Examples:\n"
+      "  kerf machine init mill.toml\n"
+      "  kerf machine check mill.toml\n"
+      "  kerf machine show mill.toml --set axes.X.rapid=8000");
 }
 
 /// "did you mean check?" for a first word that is no command.

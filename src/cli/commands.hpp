@@ -1,20 +1,60 @@
 #pragma once
-// The subcommands: each adds itself to the command line and returns its exit status.
+// The subcommands: what each is asked, and the function that does it and returns the exit status.
 
-#include <CLI/CLI.hpp>
-#include <functional>
+#include <optional>
 #include <string>
+#include <vector>
+
+#include "cli/options.hpp"
 
 namespace kerf {
 
-/// What the chosen subcommand does, set by its parser.
-using CommandAction = std::function<int()>;
+struct CheckOptions {
+  CommonOptions common;
+  std::vector<std::string> files;
+  int max_alarms = 20;
+};
+int check_command(const CheckOptions& options);
 
-void add_check(CLI::App& app, CommandAction& action);
-void add_path(CLI::App& app, CommandAction& action);
-void add_run(CLI::App& app, CommandAction& action);
-void add_codes(CLI::App& app, CommandAction& action);
-void add_alarms(CLI::App& app, CommandAction& action);
-void add_machine(CLI::App& app, CommandAction& action);
+struct PathOptions {
+  CommonOptions common;
+  std::string file;
+  bool json = false;
+  bool quiet = false;
+};
+int path_command(const PathOptions& options);
+
+struct RunCommandOptions {
+  CommonOptions common;
+  std::string file;
+  bool json = false;
+  bool realtime = false;
+  std::optional<std::string> plot;
+  std::optional<std::string> report;
+  std::optional<std::string> trace;
+};
+int run_command(const RunCommandOptions& options);
+
+struct CodesOptions {
+  CommonOptions common;
+  bool json = false;
+};
+int codes_command(const CodesOptions& options);
+
+struct AlarmsOptions {
+  CommonOptions common;
+  std::optional<std::string> code;
+  bool json = false;
+};
+int alarms_command(const AlarmsOptions& options);
+
+struct MachineOptions {
+  CommonOptions common;
+  std::optional<std::string> file;
+  bool force = false;
+};
+int machine_init_command(const MachineOptions& options);
+int machine_check_command(const MachineOptions& options);
+int machine_show_command(const MachineOptions& options);
 
 }  // namespace kerf

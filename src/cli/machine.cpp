@@ -12,15 +12,7 @@
 #include "report/atomic_file.hpp"
 
 namespace kerf {
-namespace {
-
-struct MachineOptions {
-  CommonOptions common;
-  std::optional<std::string> file;
-  bool force = false;
-};
-
-int init(const MachineOptions& options) {
+int machine_init_command(const MachineOptions& options) {
   const auto controller = prepare_controller(options.common);
   if (!controller) return kExitUsage;
   const std::string text = init_text(schema_of(*controller->dialect), controller->dialect->name);
@@ -43,9 +35,10 @@ int init(const MachineOptions& options) {
   return kExitGood;
 }
 
-int check(MachineOptions options) {
-  options.common.machine_file = options.file;
-  const auto controller = prepare_controller(options.common);
+int machine_check_command(const MachineOptions& options) {
+  CommonOptions common = options.common;
+  common.machine_file = options.file;
+  const auto controller = prepare_controller(common);
   if (!controller) return kExitUsage;
   ResultStream out;
   out.text() =
@@ -55,44 +48,15 @@ int check(MachineOptions options) {
   return out.good() ? kExitGood : kExitUsage;
 }
 
-int show(MachineOptions options) {
-  if (options.file) options.common.machine_file = options.file;
-  const auto controller = prepare_controller(options.common);
+int machine_show_command(const MachineOptions& options) {
+  CommonOptions common = options.common;
+  if (options.file) common.machine_file = options.file;
+  const auto controller = prepare_controller(common);
   if (!controller) return kExitUsage;
   ResultStream out;
   out.text() = show_text(controller->settings);
   out.flush();
   return out.good() ? kExitGood : kExitUsage;
-}
-
-}  // namespace
-
-void add_machine(CLI::App& app, CommandAction& action) {
-  auto options = std::make_shared<MachineOptions>();
-  CLI::App* command = app.add_subcommand("machine", "Write, validate or show a machine file");
-  command->require_subcommand(1);
-
-  CLI::App* init_command = command->add_subcommand("init", "Write a commented default machine file");
-  init_command->add_option("FILE", options->file, "Where to (default: standard output)")->type_name("");
-  init_command->add_flag("--force", options->force, "Overwrite an existing file");
-  add_machine_options(*init_command, options->common);
-  init_command->callback([&action, options] { action = [options] { return init(*options); }; });
-
-  CLI::App* check_command = command->add_subcommand("check", "Validate a machine file");
-  check_command->add_option("FILE", options->file, "Machine file (TOML)")->required()->type_name("");
-  add_machine_options(*check_command, options->common);
-  check_command->callback([&action, options] { action = [options] { return check(*options); }; });
-
-  CLI::App* show_command =
-      command->add_subcommand("show", "Show every effective value and where it comes from");
-  show_command->add_option("FILE", options->file, "Machine file (TOML)")->type_name("");
-  add_machine_options(*show_command, options->common);
-  show_command->callback([&action, options] { action = [options] { return show(*options); }; });
-  command->footer(
-      "Examples:\n"
-      "  kerf machine init mill.toml\n"
-      "  kerf machine check mill.toml\n"
-      "  kerf machine show mill.toml --set axes.X.rapid=8000");
 }
 
 }  // namespace kerf

@@ -1,7 +1,6 @@
 #pragma once
 // Options that several subcommands share.
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,10 +19,5 @@ struct CommonOptions {
   ColorChoice color = ColorChoice::automatic;
   bool verbose = false;
 };
-
-/// --dialect, --machine, --set
-void add_machine_options(CLI::App& command, CommonOptions& options);
-/// The above and --optional-stop, --block-skip, --program-dir, --color, -v
-void add_program_options(CLI::App& command, CommonOptions& options);
 
 }  // namespace kerf

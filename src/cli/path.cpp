@@ -15,13 +15,6 @@
 namespace kerf {
 namespace {
 
-struct PathOptions {
-  CommonOptions common;
-  std::string file;
-  bool json = false;
-  bool quiet = false;
-};
-
 struct PathCounts {
   std::uint64_t moves = 0;
   std::uint64_t rapid = 0;
@@ -82,7 +75,9 @@ PathCounts print_path(const PathOptions& options, const Prepared& prepared, Job&
   });
 }
 
-int path(const PathOptions& options) {
+}  // namespace
+
+int path_command(const PathOptions& options) {
   const auto prepared = prepare(options.file, options.common);
   if (!prepared) return kExitUsage;
   ResultStream out;
@@ -100,23 +95,6 @@ int path(const PathOptions& options) {
   out.flush();
   if (!out.good()) return kExitUsage;
   return counts.alarms > 0 ? kExitAlarm : kExitGood;
-}
-
-}  // namespace
-
-void add_path(CLI::App& app, CommandAction& action) {
-  auto options = std::make_shared<PathOptions>();
-  CLI::App* command = app.add_subcommand("path", "Print where the tool really goes, step by step");
-  command->add_option("FILE", options->file, "NC program (- for standard input)")->required()->type_name("");
-  auto* json = command->add_flag("--json", options->json, "JSON Lines, one event a line");
-  command->add_flag("--quiet", options->quiet, "Execute and print only the counts")->excludes(json);
-  add_program_options(*command, options->common);
-  command->footer(
-      "Examples:\n"
-      "  kerf path part.nc\n"
-      "  kerf path part.nc --json | jq 'select(.event==\"move\") | .end'\n"
-      "  kerf path part.nc --set tools.1.radius=3");
-  command->callback([&action, options] { action = [options] { return path(*options); }; });
 }
 
 }  // namespace kerf

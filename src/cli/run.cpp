@@ -24,16 +24,6 @@
 namespace kerf {
 namespace {
 
-struct RunCommandOptions {
-  CommonOptions common;
-  std::string file;
-  bool json = false;
-  bool realtime = false;
-  std::optional<std::string> plot;
-  std::optional<std::string> report;
-  std::optional<std::string> trace;
-};
-
 bool file_failed(const FileError& error) {
   print_error(error.message, error.remedy);
   return true;
@@ -176,7 +166,9 @@ int status_of(const RunSummary& summary) {
   return summary.stalled ? kExitAlarm : kExitGood;
 }
 
-int run_program(const RunCommandOptions& options) {
+}  // namespace
+
+int run_command(const RunCommandOptions& options) {
   const auto prepared = prepare(options.file, options.common);
   if (!prepared) return kExitUsage;
   Outputs outputs;
@@ -203,30 +195,6 @@ int run_program(const RunCommandOptions& options) {
   if (outputs.trace) good = outputs.trace->finish() && good;
   if (!good || !out.good()) return kExitUsage;
   return status_of(record.summary);
-}
-
-}  // namespace
-
-void add_run(CLI::App& app, CommandAction& action) {
-  auto options = std::make_shared<RunCommandOptions>();
-  CLI::App* command =
-      app.add_subcommand("run", "Play a program on the simulated machine: time, path, pictures");
-  command->add_option("FILE", options->file, "NC program (- for standard input)")->required()->type_name("");
-  command->add_flag("--json", options->json, "Print the summary as one JSON object");
-  command->add_option("--plot", options->plot, "Write a picture of the toolpath")->type_name("OUT.svg");
-  command->add_option("--report", options->report, "Write a report: one page that needs no network")
-      ->type_name("OUT.html");
-  command->add_option("--trace", options->trace, "Write one row for each control cycle")
-      ->type_name("OUT.csv");
-  command->add_flag("--realtime", options->realtime, "Run at the speed of the machine");
-  add_program_options(*command, options->common);
-  command->footer(
-      "Examples:\n"
-      "  kerf run part.nc\n"
-      "  kerf run part.nc --report part.html --plot part.svg\n"
-      "  kerf run part.nc --trace part.csv --set machine.cycle_ms=0.5\n"
-      "  kerf run part.nc --json --set axes.X.acceleration=1500");
-  command->callback([&action, options] { action = [options] { return run_program(*options); }; });
 }
 
 }  // namespace kerf

@@ -2,18 +2,12 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
 #include <vector>
+
+#include "base/edit_distance.hpp"
 
 namespace kerf {
 namespace {
-
-/// Longer keys are no typing mistakes, and comparing them would take its time.
-constexpr std::size_t kLongestComparedKey = 120;
-
-char lower(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
 
 std::string upper(std::string_view text) {
   std::string out(text);
@@ -67,31 +61,11 @@ bool same_start(const KeyPath& a, const KeyPath& b, std::size_t count) {
 
 }  // namespace
 
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> before(b.size() + 1);
-  std::vector<std::size_t> above(b.size() + 1);
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    before.swap(above);
-    above.swap(row);
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const bool same = lower(a[i - 1]) == lower(b[j - 1]);
-      row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (same ? 0U : 1U)});
-      const bool swapped =
-          i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]);
-      if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
-    }
-  }
-  return row[b.size()];
-}
-
 std::optional<std::string> nearest_key(const Schema& schema, AxisSet axes, const KeyPath& path,
                                        std::size_t fault) {
   const std::string written = dotted(path);
   const std::string& segment = path[fault];
-  if (written.size() > kLongestComparedKey) return std::nullopt;
+  if (written.size() > kLongestComparedText) return std::nullopt;
   const std::vector<KeyPath> all = candidates(schema, axes, path);
 
   std::optional<std::string> nearest;

@@ -4,16 +4,11 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "base/axis.hpp"
 #include "machine/schema.hpp"
 
 namespace kerf {
-
-/// Least number of inserted, deleted, replaced or swapped neighbouring characters that make one text the
-/// other (optimal string alignment), upper and lower case being the same.
-std::size_t edit_distance(std::string_view a, std::string_view b);
 
 /// The nearest declared key or section to a path whose segment `fault` (from 0) is unknown; among the axes of
 /// the machine where the path names none. In order: by edit distance, as an abbreviation, as the same name in
