@@ -32,12 +32,13 @@ mkdir -p "$work"
 
 kerf_step "writing a program of $blocks blocks" build/bench-input.log bash -c "
   set -e
+  awk -v blocks=$blocks -f bench/three_axes.awk > $work/three_axes.nc
   g++ -std=c++20 -O2 tools/make_finishing.cpp -o $work/make_finishing
   $work/make_finishing $blocks > $work/finishing.nc
   $work/make_finishing 20000 > $work/small.nc" || exit 1
 # rs274 wants to know the tool and has no eight-digit program number.
 printf 'T7 P7 Z+48.0 D+4.0 ;ball nose\n' >"$work/tool.tbl"
-sed -e 's/^O00000104$/(O104)/' "$work/finishing.nc" >"$work/rs274.ngc"
+sed -e 's/^O00000104$/(O104)/' "$work/finishing.nc" >"$work/finishing.ngc"
 
 # once COMMAND...: seconds and peak memory in MiB of one run.
 once() {
@@ -65,7 +66,8 @@ measure() {
       if ($2 > memory) memory = $2
     }
     END {
-      ratio = base == "" ? "1.0" : sprintf("%.2f", median / base)
+      if (median == 0) median = 0.005  # below the clock's step
+      ratio = base == "" ? "1.0" : sprintf("%.1f", median / (base == 0 ? 0.005 : base))
       printf "| `%s` | %.2f | %.2f to %.2f | %.2f | %.0f | %s |\n", name, median, min, max,
              lines / median / 1e6, memory, ratio
     }' <<<"$rows"
@@ -88,30 +90,29 @@ if [ "$micro" -eq 1 ] && [ -x build/bench/bench/kerf_bench ]; then
     }' "$work/micro.csv"
 fi
 
-lines=$(wc -l <"$work/finishing.nc")
-kerf_say "whole processes on $lines blocks, $repetitions repetitions each"
-printf '\nA finishing program of %s blocks, %s MB, whole process from start to end, %s repetitions:\n\n' \
-  "$lines" "$(awk -v b="$(wc -c <"$work/finishing.nc")" 'BEGIN { printf "%.1f", b / 1e6 }')" "$repetitions"
-printf '| command | median s | range s | million blocks/s | peak MiB | time / kerf path |\n'
-printf '| --- | ---: | ---: | ---: | ---: | ---: |\n'
-base=''
-measure 'kerf path --quiet' "$kerf" path --quiet "$work/finishing.nc"
-base=$median
-measure 'kerf check' "$kerf" check "$work/finishing.nc"
-measure 'kerf path --json' "$kerf" path --json "$work/finishing.nc"
-measure 'kerf run' "$kerf" run "$work/finishing.nc"
-if command -v rs274 >/dev/null; then
-  # What it writes is thrown away as the others' output is; -g leaves the motion queue out.
-  measure 'rs274 -g (LinuxCNC)' rs274 -g -t "$work/tool.tbl" "$work/rs274.ngc"
-else
-  kerf_say 'LinuxCNC is not installed: bench/run.sh --with-linuxcnc compares with it'
-fi
+# table TITLE FILE.nc [FILE.ngc]: the commands on one program, beside rs274 on its own copy of it.
+table() {
+  lines=$(wc -l <"$2")
+  base=''
+  kerf_say "$1, $lines blocks, $repetitions repetitions each"
+  printf '\n%s: %s blocks, %s MB; whole process from start to end, %s repetitions.\n\n' \
+    "$1" "$lines" "$(awk -v b="$(wc -c <"$2")" 'BEGIN { printf "%.1f", b / 1e6 }')" "$repetitions"
+  printf '| command | median s | range s | million blocks/s | peak MiB | time / `kerf path` |\n'
+  printf '| --- | ---: | ---: | ---: | ---: | ---: |\n'
+  measure 'kerf path --quiet' "$kerf" path --quiet "$2"
+  base=$median
+  measure 'kerf check' "$kerf" check "$2"
+  measure 'kerf path --json' "$kerf" path --json "$2"
+  measure 'kerf run' "$kerf" run "$2"
+  measure 'kerf run --report' "$kerf" run --report "$work/report.html" "$2"
+  if [ -n "${3-}" ] && command -v rs274 >/dev/null; then
+    # What it writes is thrown away as the others' output is; -g leaves the motion queue out.
+    measure 'rs274 -g (LinuxCNC)' rs274 -g -t "$work/tool.tbl" "$3"
+  fi
+}
 
-base=''
-lines=$(wc -l <"$work/small.nc")
-printf '\nThe same with %s blocks:\n\n' "$lines"
-printf '| command | median s | range s | million blocks/s | peak MiB | time / kerf path |\n'
-printf '| --- | ---: | ---: | ---: | ---: | ---: |\n'
-measure 'kerf path --quiet' "$kerf" path --quiet "$work/small.nc"
-base=$median
-measure 'kerf run' "$kerf" run "$work/small.nc"
+command -v rs274 >/dev/null ||
+  kerf_say 'LinuxCNC is not installed: bench/run.sh --with-linuxcnc compares with it'
+table 'Three axes, four decimals' "$work/three_axes.nc" "$work/three_axes.nc"
+table 'A finishing program' "$work/finishing.nc" "$work/finishing.ngc"
+table 'A short finishing program' "$work/small.nc"

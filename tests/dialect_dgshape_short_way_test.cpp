@@ -1,5 +1,6 @@
-// A block of coordinates goes the short way of coordinate_block.cpp; with a sequence number in front it goes the
-// whole way of BlockRun. Both must give the same, whatever is in force and whatever is wrong with the block.
+// A block of coordinates goes the short way of coordinate_block.cpp; with a sequence number in front it goes
+// the whole way of BlockRun. Both must give the same, whatever is in force and whatever is wrong with the
+// block.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -45,12 +46,11 @@ std::string coordinates(Random& random) {
 }
 
 std::string change(Random& random) {
-  constexpr std::array changes{"G90",          "G91",           "G00",          "G01",        "G54",
-                               "G55",          "G59",           "M03",          "M05",        "F300.0",
-                               "G41D1",        "G40",           "G43H1",        "G49",        "G50",
-                               "G51X1.0P1500", "G92X3.0Y-1.0",  "G80",          "G02I1.0",    "G18",
-                               "G17",          "G10L2P2X1.125", "G53G00Z-10.0", "G04P100",    "G98",
-                               "G91G28X0",     "S2000",         "G81Z-1.0R0.5", "G51.5",      "G10P1R2.5"};
+  constexpr std::array changes{"G90",     "G91",      "G00",   "G01",           "G54",          "G55",
+                               "G59",     "M03",      "M05",   "F300.0",        "G41D1",        "G40",
+                               "G43H1",   "G49",      "G50",   "G51X1.0P1500",  "G92X3.0Y-1.0", "G80",
+                               "G02I1.0", "G18",      "G17",   "G10L2P2X1.125", "G53G00Z-10.0", "G04P100",
+                               "G98",     "G91G28X0", "S2000", "G81Z-1.0R0.5",  "G51.5",        "G10P1R2.5"};
   return changes[static_cast<std::size_t>(below(random, static_cast<int>(changes.size())))];
 }
 
@@ -87,8 +87,9 @@ std::string describe(const Action& action) {
   const auto* move = std::get_if<Move>(&action.what);
   if (move == nullptr) return fmt::format("action {}", action.what.index());
   return fmt::format("{} {} {} {} | {} | {} | {} | {} F{}", static_cast<int>(move->mode), move->axis_words,
-                     static_cast<int>(move->compensation.side), move->rotary_feed.active, describe(move->start),
-                     describe(move->end), describe(move->commanded), describe(move->work_origin), move->feed);
+                     static_cast<int>(move->compensation.side), move->rotary_feed.active,
+                     describe(move->start), describe(move->end), describe(move->commanded),
+                     describe(move->work_origin), move->feed);
 }
 
 std::vector<std::string> transcript(const Controller& controller, const std::string& text) {

@@ -96,6 +96,23 @@ TEST(Interpreter, OverTravelIsFoundBeforeTheBlockMoves) {
   EXPECT_DOUBLE_EQ(next_move(program).end[Axis::X], 1.0) << "the refused block must not move the position";
 }
 
+TEST(Interpreter, OverTravelOfAnArcNamesTheAxisAndItsOutermostPoint) {
+  const Controller c = controller({"axes.X.limits=[-50,50]", "axes.Y.limits=[-20,50]"});
+  const std::string head = "%\nG21G90S1000F100.0\nM03\nG00X5.0Y0\n";
+  const auto message = [&](const std::string& arc) {
+    Interpreter program = interpreter(c, head + arc + "\nM02\n");
+    for (;;) {
+      const Action* action = program.next();
+      if (action == nullptr) return std::string();
+      if (const auto* alarm = std::get_if<Alarm>(&action->what)) return std::string(message_of(*alarm));
+    }
+  };
+  EXPECT_NE(message("G02X60.0Y0I27.5J0").find("X would reach 60.000"), std::string::npos);
+  // Both ends lie inside, the lowest point of the half circle 22.5 mm below them does not.
+  EXPECT_NE(message("G03X50.0Y0I22.5J0").find("Y would reach -22.500"), std::string::npos);
+  EXPECT_EQ(message("G02X50.0Y0I22.5J0"), "");
+}
+
 TEST(Setup, ReportsEveryErrorAtOnce) {
   SetupOptions options;
   options.assignments = {"axes.X.rapit=1", "dgshape.feed_override=lots"};

@@ -134,6 +134,35 @@ TEST(BlockReader, ReadingGoesOnBehindAFault) {
   EXPECT_EQ(reader.next(block, false), BlockReader::Result::end);
 }
 
+TEST(BlockReader, NumbersOfEveryLengthWithThePointAnywhere) {
+  for (std::size_t length = 1; length <= 18; ++length) {
+    const std::string digits = std::string("987654321012345678").substr(0, length);
+    for (std::size_t point = 0; point <= length + 1; ++point) {  // the last: no point
+      const bool has_point = point <= length;
+      std::string number = digits;
+      if (has_point) number.insert(point, ".");
+      for (const std::string_view behind : {"", " ", "Y1", "\t", "\xFF"}) {
+        BlockReader reader = reader_of("%\nX" + number + std::string(behind) + "\nZ2\n");
+        Block block;
+        const auto result = reader.next(block, false);
+        EXPECT_EQ(result == BlockReader::Result::fault, behind == "\xFF");
+        ASSERT_FALSE(block.words.empty());
+        const Decimal& read = block.words[0].number;
+        EXPECT_EQ(read.digits, std::stoll(digits)) << number;
+        EXPECT_EQ(read.decimals, has_point ? length - point : 0U) << number;
+        EXPECT_EQ(read.has_point, has_point) << number;
+        EXPECT_EQ(block.words[0].length, number.size() + 1);
+      }
+    }
+  }
+}
+
+TEST(BlockReader, ASecondPointIsNoPartOfTheNumber) {
+  for (const char* block : {"X1.2.3", "X.1.", "X..1", "X1234567.8.9", "X12345678..9"}) {
+    EXPECT_EQ(read_all(std::string("%\n") + block + "\n").fault, SyntaxFault::bad_number) << block;
+  }
+}
+
 TEST(BlockReader, LongNumbers) {
   BlockReader reader =
       reader_of("%\nX0000000000000000000000012.5Y1.00000000000000000000009Z12345678901234567890\n");

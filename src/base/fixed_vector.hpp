@@ -21,6 +21,11 @@ class FixedVector {
     assert(!full());
     return data_[size_++] = value;
   }
+  /// The new last value, to be filled in by the caller. It may hold an old value.
+  constexpr T& push_back() {
+    assert(!full());
+    return data_[size_++];
+  }
   constexpr void clear() { size_ = 0; }
   constexpr void resize(std::size_t size) {
     assert(size <= Capacity);

@@ -25,11 +25,12 @@ class BlockRules {
   virtual State initial_state() const = 0;
   /// What the start of a program resets.
   virtual void begin_program(State& state) const = 0;
-  /// Acts on one block. `origin` has the block's place; the rules add program and sequence number.
-  virtual BlockOutcome execute(const Block& block, const Origin& origin, State& state, ActionQueue& queue,
+  /// Acts on one block. The queue has begun with the block's place and the program and sequence number in
+  /// force; the rules renew these when the block changes them.
+  virtual BlockOutcome execute(const Block& block, State& state, ActionQueue& queue,
                                DrillingCycle& cycle) const = 0;
-  /// The text ended without an end-of-program word.
-  virtual void end_of_data(const Origin& origin, State& state, ActionQueue& queue) const = 0;
+  /// The text ended without an end-of-program word, at the place the queue has begun with.
+  virtual void end_of_data(State& state, ActionQueue& queue) const = 0;
   /// The alarm for text that is no block.
   virtual Alarm syntax_alarm(SyntaxFault fault, const SourceSpan& span) const = 0;
   /// Machine coordinates of the origin of the workpiece coordinate system in force.

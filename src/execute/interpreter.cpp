@@ -44,22 +44,20 @@ const Action* Interpreter::next() {
 }
 
 void Interpreter::read_block() {
+  const Registers& registers = state_.registers;
   switch (reader_.next(block_, options_.block_skip)) {
-    case BlockReader::Result::block: {
-      Origin origin{block_.span, ++blocks_, -1, -1};
-      if (rules_->execute(block_, origin, state_, queue_, cycle_) == BlockOutcome::ended) finished_ = true;
+    case BlockReader::Result::block:
+      queue_.begin({block_.span, ++blocks_, registers.program, registers.sequence_number});
+      if (rules_->execute(block_, state_, queue_, cycle_) == BlockOutcome::ended) finished_ = true;
       break;
-    }
-    case BlockReader::Result::fault: {
-      Origin origin{reader_.fault_span(), blocks_, state_.registers.program,
-                    state_.registers.sequence_number};
-      queue_.begin(origin);
+    case BlockReader::Result::fault:
+      queue_.begin({reader_.fault_span(), blocks_, registers.program, registers.sequence_number});
       queue_.push<Alarm>() = rules_->syntax_alarm(reader_.fault(), reader_.fault_span());
       break;
-    }
     case BlockReader::Result::end: {
       const SourceSpan place{reader_.source()->text().size(), reader_.line(), 1, 0};
-      rules_->end_of_data({place, blocks_, -1, -1}, state_, queue_);
+      queue_.begin({place, blocks_, registers.program, registers.sequence_number});
+      rules_->end_of_data(state_, queue_);
       finished_ = true;
       break;
     }

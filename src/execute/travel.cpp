@@ -26,10 +26,13 @@ Extent extent_of(const Move& move) {
       arc_through({move.start[move.plane.first], move.start[move.plane.second]}, center, move.arc.sweep);
   arc.radius = move.arc.radius;
   const PlanarBox box = bounds_of(arc);
-  extent.low[move.plane.first] = box.low.x;
-  extent.low[move.plane.second] = box.low.y;
-  extent.high[move.plane.first] = box.high.x;
-  extent.high[move.plane.second] = box.high.y;
+  // The box and the ends: within the arc tolerance the programmed end lies a little beside the arc.
+  const auto take_in = [&extent](Axis axis, double low, double high) {
+    extent.low[axis] = std::min(extent.low[axis], low);
+    extent.high[axis] = std::max(extent.high[axis], high);
+  };
+  take_in(move.plane.first, box.low.x, box.high.x);
+  take_in(move.plane.second, box.low.y, box.high.y);
   return extent;
 }
 

@@ -49,7 +49,7 @@ class Travel {
 
   std::array<double, kAxisCount> lower_;  // minus infinity for axes the machine lacks
   std::array<double, kAxisCount> upper_;
-  std::array<double, kAxisCount> lowest_;   // the same with the rounding allowed
+  std::array<double, kAxisCount> lowest_;  // the same with the rounding allowed
   std::array<double, kAxisCount> highest_;
   std::size_t axes_ = 0;  // the machine has none behind this one
   std::array<AxisType, kAxisCount> type_{};

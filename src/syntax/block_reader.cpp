@@ -4,11 +4,12 @@
 #include <cstring>
 #include <utility>
 
+#include "syntax/decimal_reader.hpp"
+
 namespace kerf {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-constexpr int kMaxDigits = 18;
 
 bool is_blank(char c) {
   return c == ' ' || c == '\t';
@@ -28,45 +29,6 @@ char address_of(char c) {
 const char* skip_blanks(const char* p) {
   while (is_blank(*p)) ++p;
   return p;
-}
-
-/// Reads digits with at most one point; false when there is no digit. The value is right for up to kMaxDigits
-/// characters; long_decimal() reads longer ones.
-bool read_decimal(const char*& p, Decimal& number) {
-  std::uint64_t digits = 0;
-  const char* first = p;
-  for (; is_digit(*p); ++p) digits = digits * 10 + static_cast<std::uint64_t>(*p - '0');
-  bool any = p != first;
-  if (*p == '.') {
-    number.has_point = true;
-    const char* behind = ++p;
-    for (; is_digit(*p); ++p) digits = digits * 10 + static_cast<std::uint64_t>(*p - '0');
-    any = any || p != behind;
-    number.decimals = static_cast<std::uint8_t>(p - behind);
-  }
-  number.digits = static_cast<std::int64_t>(digits);
-  return any;
-}
-
-/// The same for any length: leading zeros do not count, digits far below any increment are dropped, and too
-/// many in front of the point overflow.
-Decimal long_decimal(std::string_view text) {
-  Decimal number;
-  int count = 0;  // significant digits taken
-  for (const char c : text) {
-    if (c == '.') {
-      number.has_point = true;
-      continue;
-    }
-    if (count == kMaxDigits || (number.has_point && number.decimals == kMaxDigits)) {
-      number.overflow = number.overflow || !number.has_point;
-      continue;
-    }
-    number.digits = number.digits * 10 + (c - '0');
-    if (number.digits != 0) ++count;
-    if (number.has_point) ++number.decimals;
-  }
-  return number;
 }
 
 /// A carriage return counts as part of the line end when a line feed, or the end of the text, follows.
@@ -218,14 +180,14 @@ bool BlockReader::read_word(Block& block, const char*& p) {
   bool negative = false;
   if (*p == '-' || *p == '+') negative = *p++ == '-';
 
-  Decimal number;
-  const char* first = p;
-  const bool any = read_decimal(p, number);
-  const auto length = static_cast<std::uint32_t>(p - start);
-  if (!any) return fail(SyntaxFault::bad_number, start, length);
-  if (p - first > kMaxDigits) number = long_decimal({first, p});
-  if (negative) number.digits = -number.digits;
-  block.words.push_back({address, number, static_cast<std::uint32_t>(start - line_start_ + 1), length});
+  Word& word = block.words.push_back();
+  word.address = address;
+  word.number = {};
+  const bool any = read_decimal(p, word.number);
+  word.column = static_cast<std::uint32_t>(start - line_start_ + 1);
+  word.length = static_cast<std::uint32_t>(p - start);
+  if (!any) return fail(SyntaxFault::bad_number, start, word.length);
+  if (negative) word.number.digits = -word.number.digits;
   return true;
 }
 

@@ -51,7 +51,7 @@ class BlockReader {
   Result read_block(Block& block, bool skip_marked);
   bool read_words(Block& block, const char*& p, bool skip_marked, bool& skipped);
   bool read_word(Block& block, const char*& p);
-  bool fail(SyntaxFault fault, const char* at, std::size_t length);
+  [[gnu::cold]] bool fail(SyntaxFault fault, const char* at, std::size_t length);
   void to_next_line(const char* p);
 
   std::shared_ptr<const Source> source_;

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
@@ -47,9 +49,19 @@ ssize_t read_fully(int descriptor, char* data, std::size_t capacity) {
   return static_cast<ssize_t>(done);
 }
 
+/// Asks for large pages, which spares thousands of page faults on a long program; no harm when refused.
+void prefer_large_pages(char* data, std::size_t size) {
+  constexpr std::uintptr_t kPage = std::uintptr_t{2} << 20;
+  const auto begin = (reinterpret_cast<std::uintptr_t>(data) + kPage - 1) / kPage * kPage;
+  const auto end = (reinterpret_cast<std::uintptr_t>(data) + size) / kPage * kPage;
+  if (end > begin)
+    ::madvise(data + (begin - reinterpret_cast<std::uintptr_t>(data)), end - begin, MADV_HUGEPAGE);
+}
+
 tl::expected<std::shared_ptr<const Source>, SourceError> read_sized(const std::string& path, int descriptor,
                                                                     std::size_t size) {
-  auto data = std::make_unique_for_overwrite<char[]>(size + 1);
+  auto data = std::make_unique_for_overwrite<char[]>(size + Source::kBehind);
+  prefer_large_pages(data.get(), size);
   const ssize_t count = read_fully(descriptor, data.get(), size);
   if (count < 0) return tl::unexpected(system_error(path, errno));
   return std::make_shared<const Source>(path, std::move(data), static_cast<std::size_t>(count));
@@ -58,7 +70,7 @@ tl::expected<std::shared_ptr<const Source>, SourceError> read_sized(const std::s
 tl::expected<std::shared_ptr<const Source>, SourceError> read_stream(const std::string& path,
                                                                      int descriptor) {
   std::size_t capacity = std::size_t{1} << 16;
-  auto data = std::make_unique_for_overwrite<char[]>(capacity + 1);
+  auto data = std::make_unique_for_overwrite<char[]>(capacity + Source::kBehind);
   std::size_t size = 0;
   for (;;) {
     const ssize_t count = read_fully(descriptor, data.get() + size, capacity - size);
@@ -70,7 +82,7 @@ tl::expected<std::shared_ptr<const Source>, SourceError> read_stream(const std::
           SourceError{fmt::format("{}: more than {} MiB through a pipe", path, capacity >> 20),
                       "write the program to a file first"});
     }
-    auto larger = std::make_unique_for_overwrite<char[]>(capacity * 2 + 1);
+    auto larger = std::make_unique_for_overwrite<char[]>(capacity * 2 + Source::kBehind);
     std::copy_n(data.get(), size, larger.get());
     data = std::move(larger);
     capacity *= 2;
@@ -82,7 +94,7 @@ tl::expected<std::shared_ptr<const Source>, SourceError> read_stream(const std::
 
 Source::Source(std::string name, std::unique_ptr<char[]> data, std::size_t size)
     : name_(std::move(name)), data_(std::move(data)), size_(size) {
-  data_[size_] = '\n';
+  std::fill_n(data_.get() + size_, kBehind, '\n');
 }
 
 tl::expected<std::shared_ptr<const Source>, SourceError> Source::open(const std::string& path) {
@@ -102,7 +114,7 @@ tl::expected<std::shared_ptr<const Source>, SourceError> Source::open(const std:
 }
 
 std::shared_ptr<const Source> Source::from_text(std::string name, std::string_view text) {
-  auto data = std::make_unique_for_overwrite<char[]>(text.size() + 1);
+  auto data = std::make_unique_for_overwrite<char[]>(text.size() + kBehind);
   std::copy(text.begin(), text.end(), data.get());
   return std::make_shared<const Source>(std::move(name), std::move(data), text.size());
 }

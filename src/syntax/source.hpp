@@ -15,19 +15,21 @@ struct SourceError {
   std::string remedy;
 };
 
-/// An immutable text, shared by everything that points into it. The byte behind the text is always a line
-/// feed, so that readers need no end check inside a line.
+/// An immutable text, shared by everything that points into it. The kBehind bytes behind the text are always
+/// line feeds, so that readers need no end check inside a line and may read a number in one piece.
 class Source {
  public:
   /// Reads a regular file, a pipe, or standard input for "-". Text from pipes is limited to kMaxPipeBytes.
   static tl::expected<std::shared_ptr<const Source>, SourceError> open(const std::string& path);
   static std::shared_ptr<const Source> from_text(std::string name, std::string_view text);
 
+  static constexpr std::size_t kBehind = 16;
   static constexpr std::size_t kMaxPipeBytes = std::size_t{1} << 30;
 
   const std::string& name() const { return name_; }
   std::string_view text() const { return {data_.get(), size_}; }
 
+  /// `data` holds `size` bytes and room for kBehind more.
   Source(std::string name, std::unique_ptr<char[]> data, std::size_t size);
 
  private:

@@ -180,11 +180,13 @@ bool BlockRun::check_travel(const Move& move) {
   if (offset_on() || registers.offset_return_pending || settings_.clip_over_travel) return true;
   const Travel& travel = rules_.travel();
   if (travel.contains(move)) return true;
-  return refuse("over-travel", block_.span, travel.message_for(*travel.excess_of(move)));
+  return refuse("over-travel", block_.span, travel.message_for(travel.excess_of(move).value_or(Excess{})));
 }
 
-bool BlockRun::push_move(MoveMode mode, const AxisVector& target) {
+bool BlockRun::push_move(MoveMode mode, const AxisVector& target, const Plane& plane, const Arc& arc) {
   Move& move = push_straight(mode, target, registers, origin_, queue_);
+  move.plane = plane;
+  move.arc = arc;
   registers.unit_locked = true;
   if (!check_travel(move)) return false;
   move.axis_words = words_.has('X') || words_.has('Y');

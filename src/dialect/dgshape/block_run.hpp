@@ -105,8 +105,8 @@ class BlockRun {
   void update_origin();
   void warn(std::string_view detail, const SourceSpan& where);
   void use(std::string_view addresses) { used_ |= mask_of(addresses); }
-  /// A straight move; refused when it would leave the travel.
-  bool push_move(MoveMode mode, const AxisVector& target);
+  /// A move, refused when it would leave the travel; the arc only when the mode is one.
+  bool push_move(MoveMode mode, const AxisVector& target, const Plane& plane = kPlaneXY, const Arc& arc = {});
   bool check_travel(const Move& move);
   Move& last_move() { return std::get<Move>(queue_.last().what); }
 

@@ -17,17 +17,24 @@ bool straight_in_force(const Registers& registers) {
   return motion == code(0) || (registers.feed_given && registers.spindle_on);
 }
 
+/// A coordinate in steps of 0.001 mm from an origin of 0 is on the grid as it is.
+double grid_destination(double base, double value, bool fine) {
+  return fine && base == 0.0 ? value : on_grid(base + value);
+}
+
 /// Writes the destinations of the words into `target`; the axes named, none when a word needs the whole way.
 AxisSet read_target(const NumberReader& reader, const Block& block, const Registers& registers,
                     const AxisVector& origin, AxisVector& target) {
   const bool incremental = registers.modal[Group::distance] == code(91);
+  const bool fine = registers.modal[Group::unit] == code(21) && !incremental;
   AxisSet named;
   for (const Word& word : block.words) {
     if (word.address < 'X' || word.address > 'Z') return {};
     const auto axis = static_cast<Axis>(word.address - 'X');
     const NumberResult number = reader.distance(word);
     if (number.fault != NumberFault::none || named.contains(axis)) return {};
-    target[axis] = on_grid((incremental ? registers.position[axis] : origin[axis]) + number.value);
+    target[axis] =
+        grid_destination(incremental ? registers.position[axis] : origin[axis], number.value, fine);
     named.insert(axis);
   }
   return named;

@@ -170,12 +170,10 @@ bool BlockRun::arc() {
   // The Z of the centre in G18 and G19 moves with the tool-length offset like every other Z.
   if (plane.first == Axis::Z) geometry.center[0] += registers.length_applied;
   if (plane.second == Axis::Z) geometry.center[1] += registers.length_applied;
-  if (!push_move(clockwise ? MoveMode::clockwise : MoveMode::counterclockwise, target)) return false;
-  Move& move = last_move();
-  move.axis_words = true;
-  move.plane = plane;
-  move.arc = geometry;
-  return check_travel(move);
+  const MoveMode mode = clockwise ? MoveMode::clockwise : MoveMode::counterclockwise;
+  if (!push_move(mode, target, plane, geometry)) return false;
+  last_move().axis_words = true;
+  return true;
 }
 
 }  // namespace kerf::dgshape

@@ -26,6 +26,7 @@ std::int64_t in_steps(const Decimal& number, int places) {
   if (number.overflow) return number.digits < 0 ? -kPowers[18] : kPowers[18];
   const int shift = places - number.decimals;
   if (shift == 0) return number.digits;
+  if (shift == -1) return (number.digits + (number.digits < 0 ? -5 : 5)) / 10;
   if (shift > 0) {
     if (std::llabs(number.digits) > kPowers[18] / kPowers[static_cast<std::size_t>(shift)]) {
       return number.digits < 0 ? -kPowers[18] : kPowers[18];
@@ -34,7 +35,7 @@ std::int64_t in_steps(const Decimal& number, int places) {
   }
   const std::int64_t half = kPowers[static_cast<std::size_t>(-shift)] / 2;
   std::int64_t steps = number.digits + (number.digits < 0 ? -half : half);
-  // Digit by digit: a division by a constant ten is a multiplication, one by a variable takes many cycles.
+  // Digit by digit: a division by a constant is a multiplication, one by a variable takes many cycles.
   for (int i = shift; i < 0; ++i) steps /= 10;
   return steps;
 }

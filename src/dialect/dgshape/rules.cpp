@@ -65,13 +65,14 @@ void Rules::begin_program(State& state) const {
   r.program = r.sequence_number = -1;
 }
 
-BlockOutcome Rules::execute(const Block& block, const Origin& origin, State& state, ActionQueue& queue,
+BlockOutcome Rules::execute(const Block& block, State& state, ActionQueue& queue,
                             DrillingCycle& cycle) const {
-  Origin place = origin;
-  place.program = state.registers.program;
-  place.sequence_number = state.registers.sequence_number;
-  queue.begin(place);
   if (run_coordinate_block(*this, block, state, queue)) return BlockOutcome::done;
+  return execute_whole(block, state, queue, cycle);
+}
+
+BlockOutcome Rules::execute_whole(const Block& block, State& state, ActionQueue& queue,
+                                  DrillingCycle& cycle) const {
   const Registers before = state.registers;
   BlockRun run(*this, block, state, queue);
   if (!run.run()) {
@@ -99,12 +100,8 @@ void Rules::finish(State& state, ActionQueue& queue) const {
   queue.push<End>();
 }
 
-void Rules::end_of_data(const Origin& origin, State& state, ActionQueue& queue) const {
-  Origin place = origin;
-  place.program = state.registers.program;
-  place.sequence_number = state.registers.sequence_number;
-  queue.begin(place);
-  queue.push<Alarm>() = {&alarm_kind("no-program-end"), origin.span, {}, {}};
+void Rules::end_of_data(State& state, ActionQueue& queue) const {
+  queue.push<Alarm>() = {&alarm_kind("no-program-end"), queue.origin().span, {}, {}};
   finish(state, queue);
 }
 

@@ -20,9 +20,9 @@ class Rules final : public BlockRules {
 
   State initial_state() const override;
   void begin_program(State& state) const override;
-  BlockOutcome execute(const Block& block, const Origin& origin, State& state, ActionQueue& queue,
+  BlockOutcome execute(const Block& block, State& state, ActionQueue& queue,
                        DrillingCycle& cycle) const override;
-  void end_of_data(const Origin& origin, State& state, ActionQueue& queue) const override;
+  void end_of_data(State& state, ActionQueue& queue) const override;
   Alarm syntax_alarm(SyntaxFault fault, const SourceSpan& span) const override;
   AxisVector work_origin(const State& state) const override;
 
@@ -32,6 +32,9 @@ class Rules final : public BlockRules {
   const Travel& travel() const { return travel_; }
 
  private:
+  /// Apart from execute(), whose stack frame it would make large: most blocks do not come here.
+  [[gnu::noinline]] BlockOutcome execute_whole(const Block& block, State& state, ActionQueue& queue,
+                                               DrillingCycle& cycle) const;
   void finish(State& state, ActionQueue& queue) const;
 
   ControllerSettings settings_;
