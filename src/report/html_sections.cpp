@@ -135,8 +135,7 @@ void append_axis_table(std::string& out, const RunSummary& summary, const Machin
       "<div class=\"scroll-x\" tabindex=\"0\" role=\"region\" aria-label=\"Axes\"><table class=\"axes\">\n"
       "<thead><tr><th scope=\"col\">Axis</th><th scope=\"col\">Low</th><th scope=\"col\">High</th>"
       "<th scope=\"col\">Travel</th><th scope=\"col\">Peak speed, per min</th>"
-      "<th scope=\"col\">Peak acceleration, per s²</th><th scope=\"col\">Peak jerk, per "
-      "s³</th></tr></thead>\n"
+      "<th scope=\"col\">Peak acceleration, per s²</th></tr></thead>\n"
       "<tbody>\n";
   for (const Axis axis : summary.axes) {
     const AxisBounds& bounds = summary.bounds[index(axis)];
@@ -148,7 +147,7 @@ void append_axis_table(std::string& out, const RunSummary& summary, const Machin
                        fixed_text(bounds.high - bounds.low, 3));
     append_peak_cell(out, peak.velocity, speed_limit(settings));
     append_peak_cell(out, peak.acceleration, settings.acceleration);
-    out += fmt::format("<td>{}</td></tr>\n", fixed_text(peak.jerk, 0));
+    out += "</tr>\n";
   }
   out += "</tbody></table></div>\n";
 }

@@ -12,7 +12,9 @@ namespace kerf {
 double speed_limit(const AxisSettings& axis);
 
 /// Appends the summary for people: times with their shares, path lengths, counts, and for each axis the range
-/// used, peak speed and acceleration against the machine's limits. Lines have at most 100 columns.
+/// used, peak speed and acceleration against the machine's limits. Lines have at most 100 columns. The jerk
+/// stands in the JSON object only: of a law without a limit of jerk it says nothing but the length of the
+/// cycle.
 void append_summary(std::string& out, const RunSummary& summary, const Machine& machine);
 
 /// Appends one JSON object and a line end. Keys: time_s, cutting_s, rapid_s, dwell_s, tool_change_s,

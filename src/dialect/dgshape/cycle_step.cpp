@@ -11,6 +11,7 @@ namespace {
 
 constexpr WordMask kCycleTriggers = mask_of("XYZR");
 constexpr double kClearance = 1.0;  // mm, the fixed d of G83
+constexpr double kMostSteps = 1e6;  // a hole of 1000 mm in steps of 0.001 mm
 constexpr double kLongestDwell = 3600.0;
 
 bool has_dwell(CodeNumber cycle) {
@@ -19,6 +20,12 @@ bool has_dwell(CodeNumber cycle) {
 
 bool feeds_out(CodeNumber cycle) {
   return cycle == code(85) || cycle == code(89);
+}
+
+/// Strokes of all holes together.
+double steps_of(const DrillingPlan& plan) {
+  if (!plan.drills || plan.peck <= 0.0) return plan.repetitions;
+  return plan.repetitions * std::ceil((plan.r_level - plan.bottom) / plan.peck);
 }
 
 }  // namespace
@@ -58,6 +65,11 @@ bool BlockRun::fixed_cycle() {
   const bool needs_step = cycle == code(83) && plan.drills && plan.peck == 0.0;
   if (needs_step && !settings_.single_stroke_without_q) {
     return refuse("missing-word", block_.span, "G83 needs the depth of a step, Q.");
+  }
+  if (steps_of(plan) > kMostSteps) {
+    return refuse(
+        "cycle-steps", words_.has('Q') ? span('Q') : block_.span,
+        FixedText<200>::format("The block would make {:.0f} steps of {:.3f} mm.", steps_of(plan), plan.peck));
   }
   registers.unit_locked = true;
   if (!cycle_inside_travel(plan)) return false;
