@@ -28,15 +28,23 @@ TEST(FeedPolicy, FeedsOutsideTheRangeBecomeTheLimit) {
   EXPECT_DOUBLE_EQ(policy.effective(std::numeric_limits<double>::quiet_NaN()), 6.0);
 }
 
-TEST(FeedPolicy, OverrideComesBeforeResolutionAndRange) {
+TEST(FeedPolicy, TheOverrideActsOnTheLimitedFeedAndComesBeforeTheResolution) {
   FeedPolicy policy;
   policy.resolution = 10.0;
   policy.maximum = 1000.0;
   policy.feed_override = 50.0;
   // 50 % of 113 is 56.5, which rounds to 60; rounding first would give 110 and then 55.
   EXPECT_DOUBLE_EQ(policy.effective(113.0), 60.0);
-  // 50 % of 1800 is 900; limiting first would give 500.
-  EXPECT_DOUBLE_EQ(policy.effective(1800.0), 900.0);
+  // 50 % of the limit 1000; the override acting on the programmed 1800 would give 900.
+  EXPECT_DOUBLE_EQ(policy.effective(1800.0), 500.0);
+}
+
+TEST(FeedPolicy, AnOverrideDoesNotLiftTheFeedOverTheLimit) {
+  FeedPolicy policy;
+  policy.maximum = 1000.0;
+  policy.feed_override = 200.0;
+  EXPECT_DOUBLE_EQ(policy.effective(400.0), 800.0);
+  EXPECT_DOUBLE_EQ(policy.effective(900.0), 1000.0);
 }
 
 TEST(FeedPolicy, AnOverrideOfZeroStandsStillUnlessThereIsAMinimum) {

@@ -52,7 +52,8 @@ enum class Side : std::uint8_t { none, left, right };
 /// Tool radius compensation as the block commands it; the compensation pass acts on it.
 struct RadiusCompensation {
   Side side = Side::none;
-  double amount = 0.0;  ///< mm; a negative amount exchanges the sides
+  double amount = 0.0;      ///< mm; a negative amount exchanges the sides
+  std::uint32_t start = 0;  ///< counts the starts: with another number a new compensation begins
 };
 
 /// Feed of a rotary axis by the peripheral speed at a radius (DGSHAPE 1-4, 2-5): rate = feed / radius. With

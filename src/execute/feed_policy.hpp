@@ -15,8 +15,9 @@ struct FeedPolicy {
   double feed_override = 100.0;                              ///< percent; 0 stands still when minimum is 0
   double rapid_override = 100.0;                             ///< percent of the axes' rapid rates, up to 100
 
-  /// The feed used for a programmed one, mm/min: override first, then rounded to the nearest multiple of the
-  /// resolution, then kept between minimum and maximum. A feed that is not a number counts as 0.
+  /// The feed used for a programmed one, mm/min: kept between minimum and maximum, then the override, rounded
+  /// to the nearest multiple of the resolution, and kept between minimum and maximum again, so that 50 % of a
+  /// feed over the maximum is half the maximum. A feed that is not a number counts as 0.
   double effective(double programmed_mm_min) const;
 };
 

@@ -18,15 +18,20 @@ struct Scaling {
   AxisVector reference;  ///< workpiece coordinates
 };
 
-/// Words of a fixed cycle that stay until it is cancelled. Levels are machine coordinates without length
-/// offset.
+/// A level of a fixed cycle as it was written, mm: the coordinate system and the scaling in force when it is
+/// used decide where it lies.
+struct CycleLevel {
+  bool given = false;
+  bool incremental = false;
+  double value = 0.0;
+};
+
+/// Words of a fixed cycle that stay until it is cancelled.
 struct CycleWords {
-  double initial_level = 0.0;
-  double r_level = 0.0;
-  double bottom = 0.0;
-  bool has_r = false;
-  bool has_bottom = false;
-  double peck = 0.0;  ///< mm; 0: none given
+  double initial_level = 0.0;  ///< machine coordinate without length offset
+  CycleLevel r;
+  CycleLevel bottom;
+  double peck = 0.0;  ///< mm, before scaling; 0: none given
   double dwell_s = 0.0;
 };
 
@@ -48,6 +53,7 @@ struct Registers {
   std::int32_t radius_number = -1;  ///< D in force; -1: never given
   std::int32_t length_number = 0;   ///< H in force
   double radius_amount = 0.0;       ///< mm, of the D in force
+  std::uint32_t radius_start = 0;   ///< counts the starts of the radius compensation
   std::int32_t program = -1;
   std::int32_t sequence_number = -1;
   std::uint32_t outputs = 0;  ///< switched functions, a bit each; which is which is the dialect's business

@@ -37,15 +37,13 @@ void PathQueue::add_rejoined(const Origin& origin, const Move& move) {
   add_move(origin, move);
 }
 
-void PathQueue::release(const Plane& plane) {
-  for (std::size_t i = released_; i < waiting_.size(); ++i) {
-    Move* move = std::get_if<Move>(&waiting_[i].what);
-    if (move == nullptr) continue;
+void PathQueue::release_first(const Plane& plane, Vec2 to) {
+  if (Move* move = std::get_if<Move>(&waiting_[released_].what)) {
     move->start = position_;
-    move->end = with_point(move->end, plane, in_plane(position_, plane));
+    move->end = with_point(move->end, plane, to);
     position_ = move->end;
   }
-  released_ = waiting_.size();
+  ++released_;
 }
 
 }  // namespace kerf

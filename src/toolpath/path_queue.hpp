@@ -30,9 +30,12 @@ class PathQueue {
   /// The next action, valid until the next one is added; nullptr when nothing is ready.
   const Action* pop() {
     if (!path_.empty()) return &path_.pop();
-    if (released_ == 0) return nullptr;
-    --released_;
-    return &waiting_.pop();
+    while (released_ > 0) {
+      --released_;
+      const Action& action = waiting_.pop();
+      if (!std::holds_alternative<CornerArc>(action.what)) return &action;  // one that turned nothing
+    }
+    return nullptr;
   }
   void clear();
 
@@ -58,9 +61,12 @@ class PathQueue {
   void wait(const Action& action) { waiting_.push(action); }
   bool is_waiting_full() const { return waiting_.size() >= kWaiting; }
 
-  /// Lets go of the waiting actions. Moves among them stay at the plane point of the position and take it
-  /// along in the other axes.
-  void release(const Plane& plane);
+  /// The first action that still waits; nullptr when none does.
+  Action* first_waiting() { return released_ < waiting_.size() ? &waiting_[released_] : nullptr; }
+
+  /// Lets go of the first waiting action. A move takes the position along in the other axes and leads to the
+  /// point `to` of the plane. A corner arc that is let go is never given out.
+  void release_first(const Plane& plane, Vec2 to);
 
  private:
   static constexpr std::size_t kAdded = 8;

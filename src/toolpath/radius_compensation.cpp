@@ -108,6 +108,9 @@ void RadiusCompensationPass::push_move(const Action& action, const Move& move) {
   const double left_mm = left_offset(move.compensation);
   if (move.compensation.side == Side::none) {
     if (moves || (move.axis_words && move.plane == plane_)) return end(action, move);
+  } else if (move.compensation.start != held_move().compensation.start && moves) {
+    finish();
+    return push_while_off(action);
   } else if (left_mm != left_mm_) {
     return raise(
         policy_.side_change, action.origin,
@@ -127,16 +130,25 @@ void RadiusCompensationPass::push_move(const Action& action, const Move& move) {
 void RadiusCompensationPass::push_corner_arc(const Action& action) {
   if (state_ == State::off)
     return out_.add({action.origin, Alarm{policy_.corner_arc_outside, action.origin.span, {}, {}}});
+  corner_arc_block_ = action.origin.block;
+  const auto& arc = std::get<CornerArc>(action.what);
+  const Vec2 direction = unit(Vec2{arc.direction[0], arc.direction[1]});
+  if (direction != Vec2{} && !corner_turn(direction)) return;
+  if (out_.is_waiting_full()) settle();
+  if (out_.is_waiting_full()) drop_corner_arc();
+  out_.wait(action);
   has_corner_arc_ = true;
-  corner_arc_origin_ = action.origin;
-  corner_arc_ = std::get<CornerArc>(action.what);
+  if (direction == Vec2{}) return;
+  if (state_ != State::settled) leave_held_at_right_angles();
+  release_waiting(direction);
 }
 
 // An action that does not move the tool in the plane waits until the path before it is known.
 void RadiusCompensationPass::push_motionless(const Action& action) {
   if (look_ahead_fails(action.origin) || out_.is_waiting_full()) settle();
+  if (out_.is_waiting_full()) drop_corner_arc();
   out_.wait(action);
-  if (state_ == State::settled) out_.release(plane_);
+  if (state_ == State::settled) release_waiting({});
 }
 
 // ---- the course of a compensation
@@ -145,6 +157,7 @@ void RadiusCompensationPass::start(const Action& action, const Move& move) {
   plane_ = move.plane;
   left_mm_ = left_offset(move.compensation);
   displaced_ = after_alarm_ = has_corner_arc_ = false;
+  corner_arc_block_ = 0;
   held_ = action;
   held_segment_.programmed = straight(point(), in_plane(move.end, plane_));
   held_segment_.offset = offset_segment(held_segment_.programmed, left_mm_);
@@ -161,20 +174,18 @@ void RadiusCompensationPass::advance(const Action& action, const Move& move) {
   const OffsetSegment next = offset_of(programmed, left_mm_);
   if (look_ahead_fails(action.origin)) settle();
 
-  if (const std::optional<CornerTurn> turn = corner_turn(start_tangent(programmed))) {
-    const Move before = held_move();
-    if (state_ != State::settled) leave_held_at_right_angles();
-    add_corner_arc(*turn);
-    if (distance(point(), next.offset.start) > kNoLength)
-      out_.add_joint(corner_arc_origin_, before, with_point(out_.position(), plane_, next.offset.start));
-  } else if (state_ != State::settled) {
+  const Vec2 direction = start_tangent(programmed);
+  if (has_corner_arc_ && corner_turn(direction)) settle();
+  if (state_ != State::settled) {
     const Corner corner = corner_to(next);
     if (corner.fault != CornerFault::none) return raise_corner_fault(corner, action.origin);
     leave_held(corner);
-  } else if (distance(point(), next.offset.start) > kNoLength) {
-    out_.add_joint(action.origin, move, with_point(out_.position(), plane_, next.offset.start));
+    release_waiting(direction);
+  } else {
+    release_waiting(direction);
+    if (distance(point(), next.offset.start) > kNoLength)
+      out_.add_joint(action.origin, move, with_point(out_.position(), plane_, next.offset.start));
   }
-  out_.release(plane_);
   hold(action, next);
 }
 
@@ -184,13 +195,11 @@ void RadiusCompensationPass::end(const Action& action, const Move& move) {
         policy_.end_with_arc, action.origin,
         FixedText<200>::format("The compensation ends with an arc of radius {:.3f} mm", move.arc.radius));
   if (look_ahead_fails(action.origin)) settle();
-  if (const std::optional<CornerTurn> turn = corner_turn(plane_direction(plane_, move))) {
-    if (state_ != State::settled) leave_held_at_right_angles();
-    add_corner_arc(*turn);
-  } else if (state_ != State::settled) {
-    leave_held(corner_to_end(move));
-  }
-  out_.release(plane_);
+  const Vec2 direction = plane_direction(plane_, move);
+  if (has_corner_arc_ && corner_turn(direction)) settle();
+  if (state_ != State::settled) leave_held(corner_to_end(move));
+  release_waiting(direction);
+  drop_corner_arc();
   out_.add_move(action.origin, move);
   turn_off(false);
 }
@@ -198,9 +207,8 @@ void RadiusCompensationPass::end(const Action& action, const Move& move) {
 // The end of the actions, or of the program.
 void RadiusCompensationPass::finish() {
   if (state_ == State::off) return;
-  if (state_ != State::settled) leave_held_at_right_angles();
-  if (const std::optional<CornerTurn> turn = corner_turn({})) add_corner_arc(*turn);
-  out_.release(plane_);
+  settle();
+  drop_corner_arc();
   turn_off(true);
 }
 
@@ -218,6 +226,7 @@ void RadiusCompensationPass::hold(const Action& action, const OffsetSegment& seg
   held_segment_ = segment;
   begin_at(held_segment_.offset, point());
   has_corner_arc_ = false;
+  corner_arc_block_ = 0;
   state_ = State::running;
 }
 
@@ -225,6 +234,7 @@ void RadiusCompensationPass::leave_held(const Corner& corner) {
   add_held(corner.points[0]);
   for (std::size_t i = 1; i < corner.points.size(); ++i)
     out_.add_joint(held_.origin, held_move(), with_point(out_.position(), plane_, corner.points[i]));
+  facing_ = end_tangent(held_segment_.programmed);
   state_ = State::settled;
 }
 
@@ -236,7 +246,33 @@ void RadiusCompensationPass::leave_held_at_right_angles() {
 void RadiusCompensationPass::settle() {
   if (state_ == State::settled) return;
   leave_held_at_right_angles();
-  out_.release(plane_);
+  release_waiting({});
+}
+
+// The actions that wait, in order, up to a corner arc whose direction is not known yet.
+void RadiusCompensationPass::release_waiting(Vec2 next_direction) {
+  while (Action* action = out_.first_waiting()) {
+    Vec2 to = point();
+    if (const CornerArc* arc = std::get_if<CornerArc>(&action->what)) {
+      Vec2 direction = unit(Vec2{arc->direction[0], arc->direction[1]});
+      if (direction == Vec2{}) direction = next_direction;
+      if (direction == Vec2{}) return;
+      const std::optional<CornerTurn> turn = corner_turn(direction);
+      if (turn && state_ == State::settled) {
+        make_corner_arc(*action, *turn);
+        to = turn->end;
+        facing_ = direction;
+      }
+    }
+    out_.release_first(plane_, to);
+  }
+  has_corner_arc_ = false;
+}
+
+// A corner arc still waits for a move that does not come: it is left out.
+void RadiusCompensationPass::drop_corner_arc() {
+  while (out_.first_waiting() != nullptr) out_.release_first(plane_, point());
+  has_corner_arc_ = false;
 }
 
 void RadiusCompensationPass::add_held(Vec2 end) {
@@ -251,16 +287,16 @@ void RadiusCompensationPass::add_held(Vec2 end) {
   if (!is_nothing(plane_, move, out_.position())) out_.add_move(held_.origin, move);
 }
 
-// The tool stands at right angles to the end of the held move.
-void RadiusCompensationPass::add_corner_arc(const CornerTurn& turn) {
+// The tool stands at right angles to the end of the held move, or where the last corner arc left it.
+void RadiusCompensationPass::make_corner_arc(Action& action, const CornerTurn& turn) const {
   Move move = held_move();
   const Vec2 corner = held_segment_.programmed.end;
   move.mode = turn.sweep_deg < 0.0 ? MoveMode::clockwise : MoveMode::counterclockwise;
   move.rotary_feed = {};
-  move.feed = corner_arc_.feed;
+  move.feed = std::get<CornerArc>(action.what).feed;
   move.arc = {{corner.x, corner.y}, std::abs(left_mm_), turn.sweep_deg};
-  move.end = with_point(out_.position(), plane_, turn.end);
-  out_.add_move(corner_arc_origin_, move);
+  move.end = out_.position();
+  action.what = move;
 }
 
 // ---- corners
@@ -281,14 +317,11 @@ Corner RadiusCompensationPass::corner_to_end(const Move& move) const {
   return end_corner(held_segment_, direction, policy_.start_type, rules());
 }
 
-// The turn of a corner arc that is due; none when the corner is an inner one or the direction is not known.
-std::optional<RadiusCompensationPass::CornerTurn> RadiusCompensationPass::corner_turn(
-    Vec2 next_direction) const {
-  if (!has_corner_arc_) return std::nullopt;
-  const Vec2 given{corner_arc_.direction[0], corner_arc_.direction[1]};
-  const Vec2 direction = unit(given == Vec2{} ? next_direction : given);
+// The turn of a corner arc to a direction; none when the corner is an inner one or there is nothing to turn.
+std::optional<RadiusCompensationPass::CornerTurn> RadiusCompensationPass::corner_turn(Vec2 direction) const {
   if (direction == Vec2{}) return std::nullopt;
-  const double angle = workpiece_angle_deg(end_tangent(held_segment_.programmed), direction, left_mm_);
+  const Vec2 facing = state_ == State::settled ? facing_ : end_tangent(held_segment_.programmed);
+  const double angle = workpiece_angle_deg(facing, direction, left_mm_);
   const double turn_angle = 180.0 - angle;
   if (is_inner(angle) || std::abs(left_mm_) * radians(turn_angle) <= kNoLength) return std::nullopt;
   return CornerTurn{left_mm_ < 0.0 ? turn_angle : -turn_angle,
@@ -300,9 +333,7 @@ std::optional<RadiusCompensationPass::CornerTurn> RadiusCompensationPass::corner
 bool RadiusCompensationPass::look_ahead_fails(const Origin& next) const {
   if (state_ == State::settled || next.block <= held_.origin.block) return false;
   std::uint32_t between = next.block - held_.origin.block - 1;
-  if (has_corner_arc_ && corner_arc_origin_.block < next.block &&
-      corner_arc_origin_.block > held_.origin.block)
-    --between;
+  if (corner_arc_block_ < next.block && corner_arc_block_ > held_.origin.block) --between;
   return between >= policy_.blocks_without_motion;
 }
 
@@ -311,7 +342,7 @@ bool RadiusCompensationPass::look_ahead_fails(const Origin& next) const {
 void RadiusCompensationPass::raise(const AlarmKind* kind, const Origin& origin,
                                    const FixedText<200>& message) {
   if (state_ != State::off) settle();
-  out_.release(plane_);
+  drop_corner_arc();
   out_.add({origin, Alarm{kind, origin.span, message, {}}});
   turn_off(true);
   after_alarm_ = true;

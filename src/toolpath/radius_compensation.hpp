@@ -20,14 +20,17 @@ namespace kerf {
 /// - The first straight move with motion in the plane after a side is commanded starts the compensation; the
 ///   first move that names an axis of the plane after the side returns to none ends it. A negative amount
 ///   exchanges sides.
+/// - A move of a new start (RadiusCompensation::start) starts the compensation again from the point at right
+///   angles to the end of the last move.
 /// - Actions between two compensated moves are given out in order, where the first move and its joints end.
 /// - The look-ahead ends when `blocks_without_motion` or more blocks lie between two moves (counted by
 ///   Origin::block, without the block of a corner arc), or more than 64 actions: the first move ends at the
 ///   point at right angles to its end, and the tool goes straight to the point at right angles to the start
 ///   of the next.
-/// - A corner arc at an inner corner is left out; the corner is joined as without it.
+/// - A corner arc whose direction is given is made at once, behind the actions in front of it; one without
+///   waits for the next move. At an inner corner it is left out, and the corner is joined as without it.
 /// - Moves put in at corners carry origin, mode, feed and commanded end of the move before them; those after
-///   a failed look-ahead carry the ones of the move after them; those after a corner arc the arc's origin.
+///   a failed look-ahead or a corner arc carry the ones of the move after them.
 /// - End and the end of the actions finish the last move at the point at right angles to its end and take
 ///   the compensation back.
 /// - An alarm drops the move it is about (and, when an arc is used up by its neighbours, the move after it)
@@ -95,11 +98,13 @@ class RadiusCompensationPass {
   void leave_held_at_right_angles();
   void settle();
   void add_held(Vec2 end);
-  void add_corner_arc(const CornerTurn& turn);
+  void release_waiting(Vec2 next_direction);
+  void drop_corner_arc();
+  void make_corner_arc(Action& action, const CornerTurn& turn) const;
 
   Corner corner_to(const OffsetSegment& next) const;
   Corner corner_to_end(const Move& move) const;
-  std::optional<CornerTurn> corner_turn(Vec2 next_direction) const;
+  std::optional<CornerTurn> corner_turn(Vec2 direction) const;
   bool look_ahead_fails(const Origin& next) const;
 
   void raise(const AlarmKind* kind, const Origin& origin, const FixedText<200>& message);
@@ -115,11 +120,11 @@ class RadiusCompensationPass {
   bool after_alarm_ = false;  ///< off because of an alarm, with a side commanded
   Plane plane_;
   double left_mm_ = 0.0;
-  Action held_;                 ///< the move held back; settled: the last one given out
-  OffsetSegment held_segment_;  ///< of held_; its offset begins where the tool enters it
-  bool has_corner_arc_ = false;
-  Origin corner_arc_origin_;
-  CornerArc corner_arc_;  ///< between held_ and the next move
+  Action held_;                         ///< the move held back; settled: the last one given out
+  OffsetSegment held_segment_;          ///< of held_; its offset begins where the tool enters it
+  Vec2 facing_;                         ///< settled: the tool stands at right angles to this direction
+  bool has_corner_arc_ = false;         ///< one without a direction waits
+  std::uint32_t corner_arc_block_ = 0;  ///< block of the last corner arc behind held_; 0: none
   PathQueue out_;
 };
 

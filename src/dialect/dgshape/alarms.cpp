@@ -125,7 +125,7 @@ constexpr std::array kCatalogue{
     AlarmKind{kCode, "repeat-count", "Repetitions out of range",
               "K of a fixed cycle is an integer from 0 to 9999.", "Use 0 to 9999, or several blocks."},
     AlarmKind{kCode, "cycle-steps", "Too many steps in a fixed cycle",
-              "A block of G83 may make a million steps, its repetitions taken together.",
+              "A block of G83 may make 100 000 steps, its repetitions taken together.",
               "Give Q a larger step, for example Q1.0; without a decimal point Q counts thousandths."},
     AlarmKind{kCode, "offset-plane", "Tool-diameter offset needs the X-Y plane",
               "Tool-diameter offset works in the X-Y plane (G17) only.",

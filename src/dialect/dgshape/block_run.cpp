@@ -147,17 +147,21 @@ bool BlockRun::axis_value(Axis axis, double& value) {
 }
 
 double BlockRun::scaled_length(double value) const {
-  return scaled() ? to_least_increment(value * registers.scaling.factor) : value;
+  return scaled() ? value * registers.scaling.factor : value;
 }
 
-double BlockRun::destination(Axis axis, double value) const {
-  const bool scales = scaled() && axis != Axis::A;
-  if (scales && incremental()) value = scaled_length(value);
-  if (scales && !incremental()) {
+double BlockRun::absolute_destination(Axis axis, double value) const {
+  if (scaled() && axis != Axis::A) {
     const double reference = registers.scaling.reference[axis];
     value = to_least_increment(reference + registers.scaling.factor * (value - reference));
   }
-  return on_grid((incremental() ? registers.position[axis] : origin_[axis]) + value);
+  return on_grid(origin_[axis] + value);
+}
+
+double BlockRun::destination(Axis axis, double value) const {
+  if (!incremental()) return absolute_destination(axis, value);
+  // Increments are not rounded to the least increment: a thousand of them would miss their sum.
+  return on_grid(registers.position[axis] + (axis == Axis::A ? value : scaled_length(value)));
 }
 
 bool BlockRun::target_of_words(std::string_view axes, AxisVector& target) {
@@ -192,7 +196,7 @@ bool BlockRun::push_move(MoveMode mode, const AxisVector& target, const Plane& p
   move.axis_words = words_.has('X') || words_.has('Y');
   if (offset_on()) {
     const bool left = registers.modal[Group::radius_compensation] == code(41);
-    move.compensation = {left ? Side::left : Side::right, registers.radius_amount};
+    move.compensation = {left ? Side::left : Side::right, registers.radius_amount, registers.radius_start};
   } else if (move.axis_words) {
     registers.offset_return_pending = false;
   }

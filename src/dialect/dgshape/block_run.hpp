@@ -49,6 +49,8 @@ class BlockRun {
   // modal_step.cpp
   bool modal();
   bool offset_restrictions();
+  bool offset_start_restrictions();
+  bool offset_forbids_one_shot();
   bool unit_and_plane();
   void motion_and_cycle();
   void work_system();
@@ -79,6 +81,7 @@ class BlockRun {
   bool fixed_cycle();
   bool cycle_allowed();
   bool cycle_words();
+  double cycle_level(const CycleLevel& level, double from) const;
   bool cycle_dwell_and_step();
   bool cycle_repetitions(std::int32_t& repetitions);
   bool cycle_inside_travel(const DrillingPlan& plan);
@@ -95,9 +98,14 @@ class BlockRun {
   bool axis_value(Axis axis, double& value);
   /// Destination of one axis for a value, under G90/G91 and scaling.
   double destination(Axis axis, double value) const;
+  double absolute_destination(Axis axis, double value) const;
   double scaled_length(double value) const;
   SourceSpan span(char address) const { return span_of(block_, words_.word(address)); }
   SourceSpan span(Group group) const { return span_of(block_, words_.word(group)); }
+  /// The block leads the tool back from beside the path, even when it names the point programmed last.
+  bool returns_from_offset() const {
+    return registers.offset_return_pending && (words_.has('X') || words_.has('Y'));
+  }
   bool offset_on() const { return registers.modal[Group::radius_compensation] != code(40); }
   bool incremental() const { return registers.modal[Group::distance] == code(91); }
   bool scaled() const { return registers.modal[Group::scaling] == code(51); }

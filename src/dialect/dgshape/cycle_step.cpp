@@ -11,7 +11,7 @@ namespace {
 
 constexpr WordMask kCycleTriggers = mask_of("XYZR");
 constexpr double kClearance = 1.0;  // mm, the fixed d of G83
-constexpr double kMostSteps = 1e6;  // a hole of 1000 mm in steps of 0.001 mm
+constexpr double kMostSteps = 1e5;  // a hole of 100 mm in steps of 0.001 mm
 constexpr double kLongestDwell = 3600.0;
 
 bool has_dwell(CodeNumber cycle) {
@@ -46,11 +46,12 @@ bool BlockRun::fixed_cycle() {
   plan.repetitions = repetitions;
   plan.first_hole = hole;
   if (incremental()) plan.step = hole - registers.position;
-  plan.drills = words.has_bottom;
-  plan.r_level = words.has_r ? words.r_level : words.initial_level;
-  plan.bottom = words.bottom;
+  plan.drills = words.bottom.given;
+  // In G91 R counts from the initial level, where the tool need not stand after G99, and Z from R.
+  plan.r_level = words.r.given ? cycle_level(words.r, words.initial_level) : words.initial_level;
+  plan.bottom = cycle_level(words.bottom, plan.r_level);
   plan.return_level = registers.modal[Group::return_level] == code(98) ? words.initial_level : plan.r_level;
-  plan.peck = cycle == code(83) ? words.peck : 0.0;
+  plan.peck = cycle == code(83) ? scaled_length(words.peck) : 0.0;
   plan.clearance = kClearance;
   plan.dwell_s = has_dwell(cycle) ? words.dwell_s : 0.0;
   plan.feed_out = feeds_out(cycle);
@@ -73,6 +74,12 @@ bool BlockRun::fixed_cycle() {
   }
   registers.unit_locked = true;
   if (!cycle_inside_travel(plan)) return false;
+  if (registers.offset_return_pending && plan.repetitions > 0) {
+    // The tool stands beside the path after a bare G40: X and Y come first, as always.
+    if (!push_move(MoveMode::rapid, plan.first_hole)) return false;
+    last_move().axis_words = true;
+    registers.offset_return_pending = false;
+  }
   drilling = plan;
   return true;
 }
@@ -107,20 +114,17 @@ bool BlockRun::cycle_allowed() {
   return true;
 }
 
+double BlockRun::cycle_level(const CycleLevel& level, double from) const {
+  return level.incremental ? from + scaled_length(level.value) : absolute_destination(Axis::Z, level.value);
+}
+
 bool BlockRun::cycle_words() {
-  CycleWords& words = registers.cycle;
-  double value = 0.0;
-  if (words_.has('R')) {
-    if (!read_distance('R', value)) return false;
-    // R counts from the initial level in G91; the tool may stand at R itself after G99.
-    words.r_level = incremental() ? words.initial_level + scaled_length(value) : destination(Axis::Z, value);
-    words.has_r = true;
-  }
-  if (words_.has('Z')) {
-    if (!read_distance('Z', value)) return false;
-    const double r_level = words.has_r ? words.r_level : words.initial_level;
-    words.bottom = incremental() ? r_level + scaled_length(value) : destination(Axis::Z, value);
-    words.has_bottom = true;
+  for (const char address : {'R', 'Z'}) {
+    if (!words_.has(address)) continue;
+    CycleLevel& level = address == 'R' ? registers.cycle.r : registers.cycle.bottom;
+    if (!read_distance(address, level.value)) return false;
+    level.given = true;
+    level.incremental = incremental();
   }
   return true;
 }
@@ -130,7 +134,7 @@ bool BlockRun::cycle_dwell_and_step() {
   double value = 0.0;
   if (words_.has('Q') && cycle == code(83)) {
     if (!read_distance('Q', value)) return false;
-    registers.cycle.peck = scaled_length(std::abs(value));  // the sign has no meaning (DGS-475)
+    registers.cycle.peck = std::abs(value);  // the sign has no meaning (DGS-475)
   }
   if (words_.has('P') && has_dwell(cycle)) {
     if (!read_integer('P', value)) return false;

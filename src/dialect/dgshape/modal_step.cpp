@@ -11,7 +11,18 @@ bool BlockRun::modal() {
   if (!unit_and_plane()) return false;
   motion_and_cycle();
   work_system();
-  return scaling() && radius_offset() && length_offset();
+  return scaling() && radius_offset() && length_offset() && (offset_was_on_ || offset_start_restrictions());
+}
+
+bool BlockRun::offset_start_restrictions() {
+  // The block's coordinate system and scaling act before its offset; what acts after it, acts under it.
+  if (!offset_on()) return true;
+  if (registers.modal[Group::fixed_cycle] != code(80)) {
+    return refuse("offset-active",
+                  span(words_.has(Group::fixed_cycle) ? Group::fixed_cycle : Group::radius_compensation),
+                  "A fixed cycle is in force when the offset starts.");
+  }
+  return offset_forbids_one_shot();
 }
 
 bool BlockRun::offset_restrictions() {
@@ -20,6 +31,10 @@ bool BlockRun::offset_restrictions() {
   for (Group group : {Group::work_system, Group::fixed_cycle, Group::scaling}) {
     if (words_.has(group)) return refuse("offset-active", span(group));
   }
+  return offset_forbids_one_shot();
+}
+
+bool BlockRun::offset_forbids_one_shot() {
   switch (words_[Group::one_shot]) {
     case code(10):
     case code(28):
@@ -132,6 +147,8 @@ bool BlockRun::radius_offset() {
     if (number < 0) return refuse("missing-word", where, "G41 and G42 need the offset number D.");
     const double amount = tables_.radius[static_cast<std::size_t>(number)];
     registers.radius_amount = std::clamp(amount, -settings_.max_offset, settings_.max_offset);
+    ++registers.radius_start;
+    registers.offset_return_pending = false;  // the new offset starts where the old one left the tool
   }
   registers.radius_number = number;
   registers.modal.set(Group::radius_compensation, wanted);

@@ -120,10 +120,13 @@ bool BlockRun::reference_return() {
   if (registers.midpoint_axes.empty()) return length_move();
   AxisVector middle = registers.position;
   for (Axis axis : registers.midpoint_axes) middle[axis] = registers.midpoint[axis];
-  if (middle != registers.position || registers.length_offset != registers.length_applied) {
+  const bool plane_words =
+      registers.midpoint_axes.contains(Axis::X) || registers.midpoint_axes.contains(Axis::Y);
+  if (middle != registers.position || registers.length_offset != registers.length_applied ||
+      (registers.offset_return_pending && plane_words)) {
     if (!push_move(MoveMode::rapid, middle)) return false;
-    last_move().axis_words =
-        registers.midpoint_axes.contains(Axis::X) || registers.midpoint_axes.contains(Axis::Y);
+    last_move().axis_words = plane_words;
+    if (plane_words) registers.offset_return_pending = false;
   }
   AxisVector reference = registers.position;
   for (Axis axis : registers.midpoint_axes) reference[axis] = rules_.machine()[axis].home;
@@ -152,11 +155,16 @@ bool BlockRun::machine_move() {
   }
   // The machine position itself is commanded, whatever the tool-length offset (DGS-415).
   if (words_.has('Z')) target[Axis::Z] -= registers.length_offset;
-  if (target == registers.position) return length_move();
+  if (target == registers.position && !returns_from_offset()) return length_move();
   return push_rapid(target);
 }
 
 bool BlockRun::set_coordinates() {
+  if (registers.offset_return_pending) {
+    return refuse("offset-active", span(Group::one_shot),
+                  "The offset is cancelled, but the tool still stands beside the path.",
+                  "Move X or Y after G40, before G92.");
+  }
   const AxisVector origin = origin_;
   for (Axis axis : {Axis::X, Axis::Y, Axis::Z, Axis::A}) {
     if (!words_.has(letter(axis))) continue;

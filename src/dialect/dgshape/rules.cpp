@@ -21,11 +21,15 @@ std::vector<double> offset_table(const Machine& machine, std::int64_t highest, d
 }  // namespace
 
 double effective_rpm(const ControllerSettings& settings, double programmed) {
-  double rpm = programmed * settings.spindle_override / 100.0;
+  const auto limited = [&](double rpm) {
+    return std::clamp(rpm, settings.spindle_min, std::max(settings.spindle_min, settings.spindle_max));
+  };
+  // The speed a program may have is what the override takes for 100 % (manual 1-4).
+  double rpm = limited(programmed) * settings.spindle_override / 100.0;
   if (settings.spindle_resolution > 0.0) {
     rpm = std::round(rpm / settings.spindle_resolution) * settings.spindle_resolution;
   }
-  return std::clamp(rpm, settings.spindle_min, std::max(settings.spindle_min, settings.spindle_max));
+  return limited(rpm);
 }
 
 Rules::Rules(const ControllerSettings& settings, const Machine& machine)
