@@ -35,7 +35,7 @@ RunSummary sample() {
   summary.axes = {Axis::X, Axis::A};
   summary.bounds[index(Axis::X)] = {-10.0, 120.5};
   summary.bounds[index(Axis::A)] = {0.0, 360.0};
-  summary.peak[index(Axis::X)] = {4500.0, 250.0, 5000.0};
+  summary.peak[index(Axis::X)] = {4500.0, 250.0, 3.5, 5000.0};
   summary.peak[index(Axis::A)] = {3600.0, 0.0, 0.0};
   summary.alarms = {raised(report_test::kFeedClamped), raised(report_test::kFeedClamped),
                     raised(report_test::kArcRadius)};
@@ -84,7 +84,7 @@ TEST(ReportSummary, JsonObjectHasTheKeysOfTheInterface) {
   EXPECT_EQ(object["cycles"], 3662500);
   EXPECT_EQ(object["bounds"], nlohmann::json::parse(R"({"X":[-10,120.5],"A":[0,360]})"));
   EXPECT_EQ(object["peak"]["X"],
-            nlohmann::json::parse(R"({"velocity":4500,"acceleration":250,"jerk":5000})"));
+            nlohmann::json::parse(R"({"velocity":4500,"acceleration":250,"corner_step":3.5,"jerk":5000})"));
   ASSERT_EQ(object["alarms"].size(), 3U);
   EXPECT_EQ(object["alarms"][0]["event"], "warning");
   EXPECT_EQ(object["alarms"][2]["event"], "alarm");

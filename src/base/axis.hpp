@@ -63,6 +63,11 @@ struct AxisVector {
     for (std::size_t i = 0; i < kAxisCount; ++i) values[i] -= other.values[i];
     return *this;
   }
+  constexpr AxisVector& operator*=(double factor) {
+    for (double& value : values) value *= factor;
+    return *this;
+  }
+  friend constexpr AxisVector operator*(AxisVector a, double factor) { return a *= factor; }
   friend constexpr AxisVector operator+(AxisVector a, const AxisVector& b) { return a += b; }
   friend constexpr AxisVector operator-(AxisVector a, const AxisVector& b) { return a -= b; }
   friend constexpr bool operator==(const AxisVector&, const AxisVector&) = default;

@@ -121,7 +121,7 @@ constexpr std::array kParameters{
               .unit = "blocks",
               .minimum = 16,
               .maximum = 1000000,
-              .help = "How many blocks the speed plan looks ahead."},
+              .help = "How many blocks the speed plan looks ahead, at least."},
 };
 
 constexpr std::array kDefaults{

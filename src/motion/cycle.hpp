@@ -38,6 +38,7 @@ struct BlockTiming {
 struct MotionExtremes {
   AxisVector velocity;  ///< mm/s; on lines that of the plan, on arcs the largest at cycles and ends of phases
   AxisVector acceleration;  ///< mm/s2, likewise; inside segments, so without the steps at corners
+  AxisVector corner_step;   ///< mm/s: change of velocity from one segment to the next, in no time
   AxisVector jerk;  ///< mm/s3: change of acceleration from one cycle to the next, divided by the cycle
   AxisVector low;   ///< machine coordinates
   AxisVector high;

@@ -5,10 +5,11 @@
 
 namespace kerf {
 
-// Half a window more than the window: what is released waits there while the next window fills.
-LookAhead::LookAhead(std::size_t window)
-    : nodes_(std::max(window, kSmallestWindow) + std::max(window, kSmallestWindow) / 2),
-      window_(std::max(window, kSmallestWindow)) {}
+// A batch more than the window: what is released waits there while the next window fills.
+LookAhead::LookAhead(std::size_t look_ahead)
+    : batch_(std::max(look_ahead, kSmallest) / 2),
+      window_(std::max(look_ahead, kSmallest) + batch_),
+      nodes_(window_ + batch_) {}
 
 void LookAhead::push(const PlanNode& node) {
   assert(!full());
@@ -19,7 +20,7 @@ void LookAhead::push(const PlanNode& node) {
   ++size_;
   if (size_ - released_ == window_) {
     plan(wrapped(first_ + released_), window_);
-    released_ += window_ / 2;
+    released_ += batch_;
   }
 }
 

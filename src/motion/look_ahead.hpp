@@ -17,16 +17,18 @@ struct PlanNode {
 /// A ring of fixed size. Segments come in with push(), are planned, and become `released` when their entry
 /// and exit speeds are final; the interpolator takes released ones from the front.
 ///
-/// Planning is done in batches: when a window full of segments is not released, a pass backwards from rest at
-/// its end finds the highest speeds from which every later limit can still be kept, a pass forwards what
-/// acceleration reaches, and the first half is released. So each segment is planned at most twice, whatever
-/// the window, and the plan always ends at rest.
+/// Planning is done in batches: when half as many again as the look-ahead are not released, a pass backwards
+/// from rest at their end finds the highest speeds from which every later limit can still be kept, a pass
+/// forwards what acceleration reaches, and the first third is released. So every segment is released with the
+/// whole look-ahead known behind it, each is planned at most three times, whatever the look-ahead, and the
+/// plan always ends at rest.
 class LookAhead {
  public:
-  /// Smallest window; a smaller one asked for is raised to it.
-  static constexpr std::size_t kSmallestWindow = 4;
+  /// A smaller look-ahead asked for is raised to this.
+  static constexpr std::size_t kSmallest = 4;
 
-  explicit LookAhead(std::size_t window);
+  /// Segments behind a released one that its speeds take into account, at least.
+  explicit LookAhead(std::size_t look_ahead);
 
   std::size_t capacity() const { return nodes_.size(); }
   bool full() const { return size_ == nodes_.size(); }
@@ -63,8 +65,9 @@ class LookAhead {
   void plan(std::size_t first, std::size_t count);
   std::size_t previous(std::size_t slot) const { return slot == 0 ? nodes_.size() - 1 : slot - 1; }
 
+  std::size_t batch_;   ///< released at once
+  std::size_t window_;  ///< planned at once
   std::vector<PlanNode> nodes_;
-  std::size_t window_;
   std::size_t first_ = 0;
   std::size_t size_ = 0;
   std::size_t released_ = 0;

@@ -168,8 +168,10 @@ void LookAheadTrapezoid::start_front() {
   if (entry.kind == EntryKind::move) {
     profile_ = make_profile(entry.path.length, std::sqrt(node.entry), std::sqrt(look_ahead_.exit_of_front()),
                             std::sqrt(node.cap), entry.path.acceleration);
+    note_corner(entry.path, std::sqrt(node.entry));
     return;
   }
+  if (entry.kind == EntryKind::wait) end_velocity_ = {};
   profile_ = SpeedProfile{};
   profile_.time3 = entry.seconds;
 }
@@ -184,6 +186,7 @@ void LookAheadTrapezoid::complete_front(BlockObserver on_block) {
     note_phases(entry.path);
     extend_range(entry.path, extremes_.low, extremes_.high);
     rest_position_ = entry.path.end;
+    end_velocity_ = end_tangent(entry.path) * profile_.at(profile_.time3).speed;
     timing.length_mm = entry.path.length_mm;
     timing.peak_feed_mm_min =
         std::max(peak_before_, profile_.peak_until(profile_.time3)) * entry.path.feed_per_speed;
@@ -192,6 +195,11 @@ void LookAheadTrapezoid::complete_front(BlockObserver on_block) {
   active_ = false;
   look_ahead_.pop();
   on_block(timing);
+}
+
+/// What the axes step by where the segment before ends and this one begins.
+void LookAheadTrapezoid::note_corner(const PathSegment& path, double speed) {
+  keep_largest(extremes_.corner_step, start_tangent(path) * speed - end_velocity_, 1.0);
 }
 
 /// Extremes of the profile in progress, up to the present time. What follows s linearly is known in closed

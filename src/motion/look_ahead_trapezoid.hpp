@@ -67,6 +67,7 @@ class LookAheadTrapezoid {
   void change_caps();
   void start_front();
   void complete_front(BlockObserver on_block);
+  void note_corner(const PathSegment& path, double speed);
   void note_phases(const PathSegment& path);
   void note_arc_point(const ArcPath& arc, const PathPoint& point);
   void fill(Cycle& cycle);
@@ -91,6 +92,7 @@ class LookAheadTrapezoid {
   double way_before_ = 0.0;  ///< of the front entry before profile_
   double time_before_ = 0.0;
   double peak_before_ = 0.0;  ///< mm/s
+  AxisVector end_velocity_;   ///< of the last finished move, at its end
   AxisVector rest_position_;  ///< end of the last finished move
   Origin last_origin_;
 

@@ -138,7 +138,7 @@ class Runner {
     for (const Axis axis : machine_.axes) {
       summary.bounds[index(axis)] = {extremes.low[axis], extremes.high[axis]};
       summary.peak[index(axis)] = {extremes.velocity[axis] * kSecondsPerMinute, extremes.acceleration[axis],
-                                   extremes.jerk[axis]};
+                                   extremes.corner_step[axis], extremes.jerk[axis]};
     }
     if (chart_) record_.speed = chart_->take();
     if (finished_ < record_.actions.size()) {

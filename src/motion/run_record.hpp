@@ -15,8 +15,9 @@ namespace kerf {
 /// Largest magnitudes of one axis's command over a run.
 struct AxisPeak {
   double velocity = 0.0;      ///< mm/min or degree/min
-  double acceleration = 0.0;  ///< mm/s2 or degree/s2, along the plan; the velocity step at a corner that the
-                              ///< junction deviation allows is not part of it
+  double acceleration = 0.0;  ///< mm/s2 or degree/s2, along the plan, between corners
+  double corner_step = 0.0;   ///< mm/s or degree/s: change of velocity at a corner of the exact path, in no
+                              ///< time; motion.junction_deviation bounds it
   double jerk = 0.0;  ///< mm/s3 or degree/s3: change of the planned acceleration from one control cycle to
                       ///< the next, divided by the cycle; grows with a shorter cycle when the law has no
                       ///< limit of jerk

@@ -135,7 +135,9 @@ void append_axis_table(std::string& out, const RunSummary& summary, const Machin
       "<div class=\"scroll-x\" tabindex=\"0\" role=\"region\" aria-label=\"Axes\"><table class=\"axes\">\n"
       "<thead><tr><th scope=\"col\">Axis</th><th scope=\"col\">Low</th><th scope=\"col\">High</th>"
       "<th scope=\"col\">Travel</th><th scope=\"col\">Peak speed, per min</th>"
-      "<th scope=\"col\">Peak acceleration, per s²</th></tr></thead>\n"
+      "<th scope=\"col\">Peak acceleration, per s²</th>"
+      "<th scope=\"col\" title=\"Change of velocity where two moves meet\">Corner step, per s</th>"
+      "</tr></thead>\n"
       "<tbody>\n";
   for (const Axis axis : summary.axes) {
     const AxisBounds& bounds = summary.bounds[index(axis)];
@@ -147,7 +149,7 @@ void append_axis_table(std::string& out, const RunSummary& summary, const Machin
                        fixed_text(bounds.high - bounds.low, 3));
     append_peak_cell(out, peak.velocity, speed_limit(settings));
     append_peak_cell(out, peak.acceleration, settings.acceleration);
-    out += "</tr>\n";
+    out += fmt::format("<td>{}</td></tr>\n", fixed_text(peak.corner_step, 2));
   }
   out += "</tbody></table></div>\n";
 }

@@ -39,8 +39,8 @@ void append_times(std::string& out, const RunSummary& summary) {
 }
 
 void append_axes(std::string& out, const RunSummary& summary, const Machine& machine) {
-  out += fmt::format("{:<4}{:>12}{:>12}{:>12}{:>20}{:>21}\n", "axis", "low", "high", "travel",
-                     "peak speed /min", "peak accel. /s2");
+  out += fmt::format("{:<4}{:>12}{:>12}{:>12}{:>18}{:>18}{:>17}\n", "axis", "low", "high", "travel",
+                     "peak speed /min", "peak accel. /s2", "corner step /s");
   for (const Axis axis : summary.axes) {
     const AxisBounds& bounds = summary.bounds[index(axis)];
     const AxisPeak& peak = summary.peak[index(axis)];
@@ -48,9 +48,9 @@ void append_axes(std::string& out, const RunSummary& summary, const Machine& mac
                                           share_text(peak.velocity, speed_limit(machine[axis])));
     const std::string acceleration = fmt::format("{} ({})", fixed_text(peak.acceleration, 1),
                                                  share_text(peak.acceleration, machine[axis].acceleration));
-    out +=
-        fmt::format("{:<4}{:>12}{:>12}{:>12}{:>20}{:>21}\n", letter(axis), fixed_text(bounds.low, 4),
-                    fixed_text(bounds.high, 4), fixed_text(bounds.high - bounds.low, 4), speed, acceleration);
+    out += fmt::format("{:<4}{:>12}{:>12}{:>12}{:>18}{:>18}{:>17}\n", letter(axis), fixed_text(bounds.low, 4),
+                       fixed_text(bounds.high, 4), fixed_text(bounds.high - bounds.low, 4), speed,
+                       acceleration, fixed_text(peak.corner_step, 2));
   }
 }
 
@@ -109,6 +109,7 @@ void append_peaks_json(std::string& out, const RunSummary& summary) {
     ObjectWriter values(out);
     values.number("velocity", peak.velocity);
     values.number("acceleration", peak.acceleration);
+    values.number("corner_step", peak.corner_step);
     values.number("jerk", peak.jerk);
     values.close();
   }
