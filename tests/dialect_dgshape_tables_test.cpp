@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string>
 
+#include "dialect/dgshape/codes.hpp"
 #include "dialect/dgshape/spindle_codes.hpp"
 #include "dialect/dialect.hpp"
 #include "machine/schema.hpp"
@@ -58,8 +59,10 @@ TEST(DgshapeTables, SpindleCodesArePreferredNumbers) {
 
 TEST(CodeTable, NearMissesAreNamed) {
   const auto codes = dgshape().codes;
-  EXPECT_NE(nearest_code(codes, 'G', 45).view().find("G4"), std::string_view::npos);
-  EXPECT_NE(nearest_code(codes, 'M', 4).view().find("M0"), std::string_view::npos);
+  EXPECT_NE(nearest_code(codes, 'G', 45).view().find("G54"), std::string_view::npos) << "swapped digits";
+  EXPECT_TRUE(nearest_code(codes, 'G', 7).empty()) << "one of many codes with another digit";
+  EXPECT_NE(dgshape::remedy_for_unknown('G', 71).view().find("G21"), std::string_view::npos);
+  EXPECT_NE(dgshape::remedy_for_unknown('M', 8).view().find("M12"), std::string_view::npos);
   EXPECT_NE(nearest_code(codes, 'G', 811).view().find("G81"), std::string_view::npos) << "a digit too many";
   EXPECT_TRUE(nearest_code(codes, 'G', 7777).empty());
 }

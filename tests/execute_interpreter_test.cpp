@@ -93,7 +93,37 @@ TEST(Interpreter, OverTravelIsFoundBeforeTheBlockMoves) {
   Interpreter program = interpreter(c, "%\nG21G90\nG00X100.001\nG91X1.0\nM02\n");
   EXPECT_EQ(std::get<Alarm>(program.next()->what).kind->detail, "over-travel");
   program.recover();
-  EXPECT_DOUBLE_EQ(next_move(program).end[Axis::X], 1.0) << "the refused block must not move the position";
+  EXPECT_DOUBLE_EQ(next_move(program).end[Axis::X], 101.001) << "the blocks behind count on the refused one";
+}
+
+TEST(Interpreter, OneMistakeGivesOneAlarm) {
+  const Controller c = controller({"axes.X.limits=[0,100]"});
+  const auto alarms = [&](const std::string& blocks) {
+    Interpreter program = interpreter(c, "%\nG21G90\n" + blocks + "M02\n");
+    std::string found;
+    while (const Action* action = program.next()) {
+      const auto* alarm = std::get_if<Alarm>(&action->what);
+      if (alarm == nullptr) continue;
+      found += std::string(alarm->kind->detail) + ":" + std::to_string(alarm->span.line) + " ";
+      program.recover();
+    }
+    return found;
+  };
+  // The end of the refused arc is where the next one starts: radius 10 reaches from X20 to X40.
+  EXPECT_EQ(alarms("M03F100.0\nG02X20.0R1.0\nG02X40.0R10.0\n"), "arc-radius:4 ");
+  EXPECT_EQ(alarms("M03\nG01X1.0\nG01X2.0\n"), "no-feed:4 ") << "that F is missing is said once";
+  EXPECT_EQ(alarms("M03F100.0\nG00X200.0\nG91G01X1.0\nX1.0\nX-110.0\nX-50.0\n"), "over-travel:4 ");
+  EXPECT_EQ(alarms("M03F100.0\nG00X200.0\nX10.0\nX300.0\n"), "over-travel:4 over-travel:6 ");
+  EXPECT_EQ(alarms("M03J1.0\nF100.0G01X1.0\n"), "unused-word:3 ") << "the spindle is taken as started";
+  EXPECT_EQ(alarms("M03F100.0\nG91X10.0J1.0\nG01X95.0\n"), "unused-word:4 over-travel:5 ");
+}
+
+TEST(Interpreter, ATextThatNeverStartsHasNoEndToMiss) {
+  const Controller c = controller();
+  Interpreter program = interpreter(c, "Dear machinist,\n");
+  EXPECT_EQ(std::get<Alarm>(program.next()->what).kind->detail, "no-data-start");
+  program.recover();
+  EXPECT_EQ(program.next(), nullptr);
 }
 
 TEST(Interpreter, OverTravelOfAnArcNamesTheAxisAndItsOutermostPoint) {
@@ -120,6 +150,21 @@ TEST(Setup, ReportsEveryErrorAtOnce) {
   ASSERT_FALSE(made.has_value());
   ASSERT_EQ(made.error().size(), 2U);
   EXPECT_NE(error_text(made.error()[0]).find("axes.X.rapid"), std::string::npos);
+}
+
+TEST(Setup, SettingsThatContradictEachOtherAreRefused) {
+  const auto refusal = [](std::vector<std::string> assignments) {
+    SetupOptions options;
+    options.assignments = std::move(assignments);
+    const auto made = make_controller(options);
+    return made.has_value() ? std::string() : error_text(made.error()[0]);
+  };
+  EXPECT_NE(refusal({"dgshape.feed_min=500", "dgshape.feed_max=100"}).find("dgshape.feed_min"),
+            std::string::npos);
+  EXPECT_NE(refusal({"dgshape.spindle_max=100", "dgshape.spindle_min=200"}).find("is above"),
+            std::string::npos);
+  EXPECT_EQ(refusal({"dgshape.feed_min=100", "dgshape.feed_max=100"}), "");
+  EXPECT_NE(refusal({"axes.X.limits=[0,10]", "axes.X.home=11"}).find("axes.X.home"), std::string::npos);
 }
 
 TEST(Setup, UnknownDialectNamesTheKnownOnes) {

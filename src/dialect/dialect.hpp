@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "base/alarm.hpp"
 #include "execute/block_rules.hpp"
@@ -13,6 +14,7 @@
 #include "execute/toolpath_policy.hpp"
 #include "machine/machine.hpp"
 #include "machine/settings.hpp"
+#include "machine/settings_error.hpp"
 
 namespace kerf {
 
@@ -26,6 +28,8 @@ struct Dialect {
   std::string_view optional_stop_key;         ///< machine-file key that `--optional-stop` switches on
   std::string_view block_skip_key;            ///< machine-file key that `--block-skip` switches on
 
+  /// Settings of its own that do not go together.
+  std::vector<SettingsError> (*contradictions)(const Settings&) = nullptr;
   std::shared_ptr<const BlockRules> (*rules)(const Settings&, const Machine&) = nullptr;
   FeedPolicy (*feed_policy)(const Settings&) = nullptr;
   ToolpathPolicy (*toolpath_policy)(const Settings&) = nullptr;

@@ -2,28 +2,34 @@
 
 #include <fmt/format.h>
 
+#include "base/edit_distance.hpp"
 #include "machine/build_machine.hpp"
 #include "machine/settings_file.hpp"
 
 namespace kerf {
 namespace {
 
-SettingsError unknown_dialect(std::string_view name, std::string_view place) {
-  std::string known;
+SettingsError unknown_dialect(std::string_view name, const ValueOrigin& place) {
+  std::string remedy = "dialects are ";
+  const std::string_view near = nearest_word(name, dialects(), &Dialect::name);
+  if (!near.empty()) remedy = fmt::format("did you mean {}? {}", near, remedy);
   for (const Dialect& dialect : dialects())
-    known += fmt::format("{}{}", known.empty() ? "" : ", ", dialect.name);
-  return {std::string(place), 0, 0, fmt::format("there is no dialect '{}'", name),
-          fmt::format("use one of: {}", known)};
+    remedy += fmt::format("{}{}", &dialect == dialects().data() ? "" : ", ", dialect.name);
+  return {std::string(place.file), place.line, place.column,
+          fmt::format("there is no dialect '{}'", printable(name)), remedy};
 }
 
 tl::expected<const Dialect*, SettingsError> choose_dialect(const SetupOptions& options,
                                                            std::string_view program_name,
                                                            std::string_view program_text) {
   std::optional<std::string> name = options.dialect;
-  std::string_view place = "--dialect";
+  ValueOrigin place;
+  place.file = "--dialect";
   if (!name && options.machine_text) {
-    name = dialect_of(*options.machine_text);
-    place = options.machine_file;
+    if (auto said = dialect_of(*options.machine_text, options.machine_file)) {
+      name = std::move(said->name);
+      place = std::move(said->place);
+    }
   }
   if (!name) return &detect_dialect(program_name, program_text);
   const Dialect* found = find_dialect(*name);
@@ -55,6 +61,8 @@ tl::expected<Controller, std::vector<SettingsError>> make_controller(const Setup
   auto machine = build_machine(settings);
   if (!machine) return tl::unexpected(std::move(machine.error()));
 
+  errors = (*dialect)->contradictions(settings);
+  if (!errors.empty()) return tl::unexpected(std::move(errors));
   auto rules = (*dialect)->rules(settings, *machine);
   const FeedPolicy feed = (*dialect)->feed_policy(settings);
   const ToolpathPolicy toolpath = (*dialect)->toolpath_policy(settings);

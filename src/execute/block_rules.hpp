@@ -29,6 +29,9 @@ class BlockRules {
   /// force; the rules renew these when the block changes them.
   virtual BlockOutcome execute(const Block& block, State& state, ActionQueue& queue,
                                DrillingCycle& cycle) const = 0;
+  /// A check goes on behind a block that execute() refused: takes over what of it is beyond doubt (modal
+  /// codes, the end of its move), so that the blocks behind it are judged as if it had been right.
+  virtual void take_over(const Block& block, State& state, ActionQueue& queue) const = 0;
   /// The text ended without an end-of-program word, at the place the queue has begun with.
   virtual void end_of_data(State& state, ActionQueue& queue) const = 0;
   /// The alarm for text that is no block.

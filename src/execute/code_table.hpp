@@ -26,8 +26,9 @@ struct CodeRow {
 /// The row of a code, or null. Linear in the rows of the letter; the interpreter builds its own index.
 const CodeRow* find_code(std::span<const CodeRow> rows, char letter, CodeNumber number);
 
-/// A remedy for an unknown code: the nearest code of the table ("did you mean G01?"), judged by how people
-/// mistype: a missing, doubled, swapped or wrong digit. Empty when nothing is near.
+/// A remedy for an unknown code: the one code of the table from which it differs by a missing, doubled or
+/// swapped digit ("did you mean G54?"). Empty when there is none or more than one; a code with one digit
+/// different is simply another code.
 FixedText<200> nearest_code(std::span<const CodeRow> rows, char letter, std::int64_t number);
 
 }  // namespace kerf

@@ -18,7 +18,7 @@ void Interpreter::load(std::shared_ptr<const Source> source, const AxisVector& p
   queue_.clear();
   cycle_ = {};
   blocks_ = 0;
-  finished_ = stopped_ = false;
+  finished_ = stopped_ = refused_ = false;
   state_.registers.position = position;
   state_.registers.length_offset = state_.registers.length_applied = 0.0;
   rules_->begin_program(state_);
@@ -43,16 +43,31 @@ const Action* Interpreter::next() {
   }
 }
 
+void Interpreter::recover() {
+  if (!stopped_) return;
+  stopped_ = false;
+  if (!refused_ || !queue_.empty()) return;
+  refused_ = false;
+  queue_.begin(queue_.origin());
+  rules_->take_over(block_, state_, queue_);
+}
+
 void Interpreter::read_block() {
   const Registers& registers = state_.registers;
+  BlockOutcome outcome = BlockOutcome::done;
+  refused_ = false;
   switch (reader_.next(block_, options_.block_skip)) {
     case BlockReader::Result::block:
       queue_.begin({block_.span, ++blocks_, registers.program, registers.sequence_number});
-      if (rules_->execute(block_, state_, queue_, cycle_) == BlockOutcome::ended) finished_ = true;
+      outcome = rules_->execute(block_, state_, queue_, cycle_);
+      finished_ = outcome == BlockOutcome::ended;
+      refused_ = outcome == BlockOutcome::alarm;
       break;
     case BlockReader::Result::fault:
       queue_.begin({reader_.fault_span(), blocks_, registers.program, registers.sequence_number});
       queue_.push<Alarm>() = rules_->syntax_alarm(reader_.fault(), reader_.fault_span());
+      // A text that never starts has no end to miss either.
+      finished_ = reader_.fault() == SyntaxFault::no_data_start;
       break;
     case BlockReader::Result::end: {
       const SourceSpan place{reader_.source()->text().size(), reader_.line(), 1, 0};

@@ -25,8 +25,8 @@ class Interpreter {
   /// action unless recover() is called.
   const Action* next();
 
-  /// After an alarm: leaves the faulty block out and goes on with the next one.
-  void recover() { stopped_ = false; }
+  /// After an alarm: goes on with the next block, see BlockRules::take_over.
+  void recover();
 
   /// Starts another program on the same state, as the controller does when the operator loads one. `position`
   /// is where the axes really stand, in machine coordinates.
@@ -50,6 +50,7 @@ class Interpreter {
   DrillingCycle cycle_;
   std::uint32_t blocks_ = 0;
   bool finished_ = false;
+  bool refused_ = false;  ///< the block read last gave an alarm
   bool stopped_ = false;
 };
 

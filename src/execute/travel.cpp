@@ -77,8 +77,8 @@ std::optional<Excess> Travel::excess_of(const AxisVector& position) const {
 FixedText<200> Travel::message_for(const Excess& excess) const {
   const std::size_t i = index(excess.axis);
   const char* unit = type_[i] == AxisType::rotary ? "deg" : "mm";
-  return FixedText<200>::format("{} would reach {:.3f} {}; travel is {:.3f} to {:.3f} {}",
-                                letter(excess.axis), excess.reached, unit, lower_[i], upper_[i], unit);
+  return FixedText<200>::format("{} would reach {:.4f} {}; travel is {} to {} {}", letter(excess.axis),
+                                excess.reached, unit, lower_[i], upper_[i], unit);
 }
 
 }  // namespace kerf

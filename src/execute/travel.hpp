@@ -36,7 +36,7 @@ class Travel {
   /// The first axis that a move or a position takes out of its travel.
   std::optional<Excess> excess_of(const Move& move) const;
   std::optional<Excess> excess_of(const AxisVector& position) const;
-  /// "X would reach 600.000 mm; travel is 0.000 to 500.000 mm"
+  /// "X would reach 600.0000 mm; travel is 0 to 500 mm"
   FixedText<200> message_for(const Excess& excess) const;
 
   double lower(std::size_t i) const { return lower_[i]; }

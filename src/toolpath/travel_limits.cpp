@@ -22,6 +22,8 @@ void TravelLimitPass::push(const Origin& origin, const Move& move) {
   }
   displaced_ = true;
   if (policy_.clip && !is_arc(move.mode)) return push_clipped(origin, move);
+  // A check went on behind an alarm with the tool outside: said once is enough.
+  if (!travel_.contains(move.start)) return;
   const Excess excess = travel_.excess_of(move).value_or(Excess{});
   out_.add({origin, Alarm{policy_.over_travel, origin.span, travel_.message_for(excess), {}}});
 }

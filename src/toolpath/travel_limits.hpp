@@ -12,7 +12,8 @@ namespace kerf {
 /// Checks the end of every move, and the outermost points of arcs, in machine coordinates against the lower
 /// and upper limits of the machine's axes. A move that would leave them by more than 0.000001 mm is dropped
 /// and the alarm given out instead. With `clip`, a straight move ends at the border and a move that starts
-/// there is dropped; arcs raise the alarm all the same. The next move goes on from where the tool is.
+/// there is dropped; arcs raise the alarm all the same. The next move goes on from where the tool is. A move
+/// that starts outside, which there is only behind an alarm, is dropped without another one.
 /// Allocates nothing; a move inside the limits is handed through without a copy.
 class TravelLimitPass {
  public:

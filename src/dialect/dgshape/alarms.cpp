@@ -27,7 +27,7 @@ constexpr std::array kCatalogue{
     AlarmKind{kCode, "unknown-code", "Unknown code", "The controller has no such word.",
               "`kerf codes --dialect dgshape` lists every code the controller knows."},
     AlarmKind{kCode, "bad-character", "Character that is no word",
-              "Outside of comments only address letters, numbers, %, / and parentheses may stand.",
+              "Outside of comments only address letters, numbers, / and parentheses may stand in a block.",
               "Delete the character, or put the remark into parentheses."},
     AlarmKind{kCode, "bad-number", "Word without a number",
               "An address letter needs a number right behind it.",

@@ -139,8 +139,10 @@ bool BlockRun::read_integer(char address, double& value) {
 bool BlockRun::axis_value(Axis axis, double& value) {
   const char address = letter(axis);
   if (axis != Axis::A) return read_distance(address, value);
-  if (!settings_.rotary_unit || !rules_.machine().axes.contains(Axis::A)) {
-    return refuse("no-rotary-unit", span('A'));
+  if (!settings_.rotary_unit) return refuse("no-rotary-unit", span('A'));
+  if (!rules_.machine().axes.contains(Axis::A)) {
+    return refuse("no-rotary-unit", span('A'), "The machine file has no axis A.",
+                  "Delete the A word, or add an [axes.A] table to the machine file.");
   }
   use("A");
   return accept(address, reader_.angle(words_.word(address)), value);
@@ -183,8 +185,15 @@ bool BlockRun::check_travel(const Move& move) {
   // Where radius compensation moves the tool only the toolpath knows, and it checks the travel then.
   if (offset_on() || registers.offset_return_pending || settings_.clip_over_travel) return true;
   const Travel& travel = rules_.travel();
-  if (travel.contains(move)) return true;
-  return refuse("over-travel", block_.span, travel.message_for(travel.excess_of(move).value_or(Excess{})));
+  // From outside, where only an alarm before can have left the tool, the way is not complained of again.
+  if (travel.contains(move) || !travel.contains(move.start)) return true;
+  return refuse_travel(travel.excess_of(move).value_or(Excess{}));
+}
+
+bool BlockRun::refuse_travel(const Excess& excess) {
+  const char address = letter(excess.axis);
+  return refuse("over-travel", words_.has(address) ? span(address) : block_.span,
+                rules_.travel().message_for(excess));
 }
 
 bool BlockRun::push_move(MoveMode mode, const AxisVector& target, const Plane& plane, const Arc& arc) {

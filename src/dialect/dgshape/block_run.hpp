@@ -27,6 +27,10 @@ class BlockRun {
 
   bool run();
 
+  /// After a refusal: takes over what of the block is beyond doubt, so that the blocks behind it are judged
+  /// as if it had been right.
+  void take_over();
+
   Registers& registers;  ///< of the state; the caller puts them back when run() fails
   TableWrite write;
   std::optional<DrillingPlan> drilling;
@@ -77,6 +81,9 @@ class BlockRun {
   bool corner_arc();
   bool machine_move();
   bool set_coordinates();
+  // recovery_step.cpp
+  void take_over_codes();
+  void take_over_end();
   // cycle_step.cpp
   bool fixed_cycle();
   bool cycle_allowed();
@@ -116,6 +123,7 @@ class BlockRun {
   /// A move, refused when it would leave the travel; the arc only when the mode is one.
   bool push_move(MoveMode mode, const AxisVector& target, const Plane& plane = kPlaneXY, const Arc& arc = {});
   bool check_travel(const Move& move);
+  bool refuse_travel(const Excess& excess);
   Move& last_move() { return std::get<Move>(queue_.last().what); }
 
   const Rules& rules_;

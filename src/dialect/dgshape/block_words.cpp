@@ -37,7 +37,7 @@ bool BlockWords::take_g(const Block& block, std::size_t i, const CodeIndex& inde
   if (row == nullptr) {
     refuse(alarm, "unknown-code", span);
     if (!word.number.has_point && word.number.digits >= 0) {
-      alarm->remedy = nearest_code(code_table(), 'G', word.number.digits);
+      alarm->remedy = remedy_for_unknown('G', word.number.digits);
     }
     return false;
   }
@@ -67,7 +67,7 @@ bool BlockWords::collect(const Block& block, const CodeIndex& index, std::option
       if (index.find('M', word.number) == nullptr) {
         refuse(alarm, "unknown-code", span_of(block, word));
         if (!word.number.has_point && word.number.digits >= 0) {
-          alarm->remedy = nearest_code(code_table(), 'M', word.number.digits);
+          alarm->remedy = remedy_for_unknown('M', word.number.digits);
         }
         return false;
       }

@@ -158,10 +158,59 @@ constexpr CodeRow kCodes[] = {
      "Q q in G83 (Range 1)"},
 };
 
+/// Codes of other controls, and how their programs are written here.
+struct ForeignCode {
+  char letter;
+  std::int64_t number;
+  std::string_view remedy;
+};
+
+constexpr std::string_view kCorners = "delete it: the machine has one way of passing corners";
+constexpr std::string_view kCoolant = "delete it, or use the air blower: M12 and M13";
+constexpr std::string_view kTapping = "there is no tapping cycle; mill the thread, or tap by hand";
+constexpr std::string_view kSubprograms = "there are no subprograms; write the blocks out";
+constexpr std::string_view kRotation =
+    "there is no rotation of coordinates; rotate the part in the CAM system";
+
+constexpr std::array kForeignCodes{
+    ForeignCode{'G', 5, kCorners},
+    ForeignCode{'G', 8, kCorners},
+    ForeignCode{'G', 9, kCorners},
+    ForeignCode{'G', 44, "write G43 and enter the tool length with the other sign"},
+    ForeignCode{'G', 52, "shift the coordinate system with G92 or G10L2"},
+    ForeignCode{'G', 61, kCorners},
+    ForeignCode{'G', 64, kCorners},
+    ForeignCode{'G', 68, kRotation},
+    ForeignCode{'G', 69, kRotation},
+    ForeignCode{'G', 70, "G20 selects inches"},
+    ForeignCode{'G', 71, "G21 selects millimetres"},
+    ForeignCode{'G', 73, "G83 drills in steps"},
+    ForeignCode{'G', 74, kTapping},
+    ForeignCode{'G', 84, kTapping},
+    ForeignCode{'G', 93, "write F per minute and delete G93"},
+    ForeignCode{'G', 94, "delete it: F always counts per minute"},
+    ForeignCode{'G', 95, "write F per minute and delete G95"},
+    ForeignCode{'G', 96, "write S in revolutions per minute and delete G96"},
+    ForeignCode{'G', 97, "delete it: S always counts revolutions per minute"},
+    ForeignCode{'M', 4, "the spindle turns in one direction only: M03"},
+    ForeignCode{'M', 7, kCoolant},
+    ForeignCode{'M', 8, kCoolant},
+    ForeignCode{'M', 9, kCoolant},
+    ForeignCode{'M', 98, kSubprograms},
+    ForeignCode{'M', 99, kSubprograms},
+};
+
 }  // namespace
 
 std::span<const CodeRow> code_table() {
   return kCodes;
+}
+
+FixedText<200> remedy_for_unknown(char letter, std::int64_t number) {
+  for (const ForeignCode& code : kForeignCodes) {
+    if (code.letter == letter && code.number == number) return code.remedy;
+  }
+  return nearest_code(kCodes, letter, number);
 }
 
 }  // namespace kerf::dgshape

@@ -98,7 +98,7 @@ bool BlockRun::cycle_inside_travel(const DrillingPlan& plan) {
   const Travel& travel = rules_.travel();
   for (const AxisVector& corner : {first, last}) {
     if (const auto excess = travel.excess_of(with_length(corner, registers.length_applied))) {
-      return refuse("over-travel", block_.span, travel.message_for(*excess));
+      return refuse_travel(*excess);
     }
   }
   return true;

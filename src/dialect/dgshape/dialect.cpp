@@ -4,12 +4,22 @@
 #include "dialect/dgshape/codes.hpp"
 #include "dialect/dgshape/rules.hpp"
 #include "dialect/dgshape/settings.hpp"
+#include "machine/contradictions.hpp"
 
 namespace kerf::dgshape {
 namespace {
 
 std::shared_ptr<const BlockRules> make_rules(const Settings& settings, const Machine& machine) {
   return std::make_shared<const Rules>(controller_settings(settings), machine);
+}
+
+std::vector<SettingsError> contradictions(const Settings& settings) {
+  std::vector<SettingsError> errors;
+  for (const auto& error : {wrong_order(settings, "dgshape.feed_min", "dgshape.feed_max"),
+                            wrong_order(settings, "dgshape.spindle_min", "dgshape.spindle_max")}) {
+    if (error) errors.push_back(*error);
+  }
+  return errors;
 }
 
 FeedPolicy feed_policy(const Settings& settings) {
@@ -44,6 +54,7 @@ Dialect dialect() {
   d.defaults = default_machine();
   d.optional_stop_key = "dgshape.optional_stop";
   d.block_skip_key = "dgshape.block_skip";
+  d.contradictions = contradictions;
   d.rules = make_rules;
   d.feed_policy = feed_policy;
   d.toolpath_policy = toolpath_policy;

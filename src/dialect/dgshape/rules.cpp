@@ -94,6 +94,10 @@ BlockOutcome Rules::execute_whole(const Block& block, State& state, ActionQueue&
   return BlockOutcome::ended;
 }
 
+void Rules::take_over(const Block& block, State& state, ActionQueue& queue) const {
+  BlockRun(*this, block, state, queue).take_over();
+}
+
 void Rules::finish(State& state, ActionQueue& queue) const {
   // M02 and M30 leave a safe machine: spindle, blower and cleaner go off (DGS-508); the light stays.
   if (state.registers.spindle_on) queue.push<Spindle>();
