@@ -45,9 +45,10 @@ class CommandLine : public testing::Test {
   }
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
-  Outcome kerf(const std::string& arguments) {
-    const std::string command =
-        std::string(KERF_BINARY) + " " + arguments + " >" + path("out") + " 2>" + path("err");
+  Outcome kerf(const std::string& arguments) { return shell(std::string(KERF_BINARY) + " " + arguments); }
+
+  Outcome shell(const std::string& script) {
+    const std::string command = "{ " + script + "\n} >" + path("out") + " 2>" + path("err");
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128, contents(folder_ / "out"),
             contents(folder_ / "err")};
@@ -168,11 +169,70 @@ TEST_F(CommandLine, WrongUsage) {
   EXPECT_NE(key.err.find("axes.X.rapid"), std::string::npos) << key.err;
 }
 
+TEST_F(CommandLine, NearMissesGetAProposal) {
+  const std::string good = file("good.nc", kGood);
+  const auto says = [&](const std::string& arguments, std::string_view proposal) {
+    const Outcome outcome = kerf(arguments);
+    EXPECT_EQ(outcome.status, 2) << arguments;
+    EXPECT_NE(outcome.err.find(proposal), std::string::npos) << outcome.err;
+  };
+  says("check --dialekt dgshape " + good, "--dialect");
+  says("check --dialect dgshap " + good, "did you mean dgshape?");
+  says("machine shwo", "`kerf machine show`");
+  says("alarms arc-radus", "did you mean arc-radius?");
+  says("check --color sometimes " + good, "auto, always or never");
+  says("check --program-dir " + path("missing") + " " + good, "no folder");
+}
+
+TEST_F(CommandLine, AnOutputNeverOverwritesAnInputOrAnotherOutput) {
+  const std::string good = file("good.nc", kGood);
+  const std::string mill = file("mill.toml", "dialect = \"dgshape\"\n");
+  fs::create_symlink(good, folder_ / "link.nc");
+  fs::create_hard_link(good, folder_ / "hard.nc");
+  for (const std::string& arguments :
+       {"run " + good + " --plot " + good, "run " + good + " --report " + path("link.nc"),
+        "run " + path("link.nc") + " --trace " + good, "run " + good + " --trace " + path("hard.nc"),
+        "run --machine " + mill + " " + good + " --plot " + mill,
+        "run " + good + " --plot " + path("new") + " --report " + path("./new"),
+        "run " + good + " --plot -"}) {
+    const Outcome outcome = kerf(arguments);
+    EXPECT_EQ(outcome.status, 2) << arguments;
+    EXPECT_EQ(contents(good), kGood) << arguments;
+    EXPECT_EQ(contents(mill), "dialect = \"dgshape\"\n") << arguments;
+    EXPECT_FALSE(fs::exists(folder_ / "new")) << arguments;
+  }
+  EXPECT_EQ(kerf("run " + good + " --plot /dev/null --report /dev/null").status, 0);
+}
+
+TEST_F(CommandLine, AnInterruptedRunLeavesNoFile) {
+  // A dwell of nine hours, paced by the clock.
+  const std::string slow = file("slow.nc", "%\nG21G90\nG04X32400.0\nM02\n%\n");
+  const Outcome outcome =
+      shell(std::string(KERF_BINARY) + " run --realtime " + slow + " --trace " + path("t.csv") +
+            " & pid=$!; until ls -A " + folder_.string() + " | grep -q tmp; do sleep 0.01; done;" +
+            " kill -TERM $pid; wait $pid; status=$?; ls -A " + folder_.string() + "; exit $status");
+  EXPECT_EQ(outcome.status, 143) << outcome.err;
+  EXPECT_EQ(outcome.out.find(".tmp"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("t.csv"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.err.find("interrupted"), std::string::npos) << outcome.err;
+}
+
+TEST_F(CommandLine, ALineOfManyMegabytesIsShownInPart) {
+  std::string text = "%\nG21G90S5000M03F600.0\n";
+  text += std::string(std::size_t{20} << 20, ' ') + "G05" + std::string(std::size_t{20} << 20, ' ');
+  const Outcome outcome = kerf("check " + file("long.nc", text + "\nM02\n%\n"));
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.out.find("G05"), std::string::npos);
+  EXPECT_LT(outcome.out.size(), 2000U);
+}
+
 TEST_F(CommandLine, HelpAndVersionAreNoErrors) {
-  for (const char* command : {"", "check ", "path ", "run ", "codes ", "alarms ", "machine "}) {
+  for (const char* command : {"", "check ", "path ", "run ", "codes ", "alarms ", "machine ", "machine init ",
+                              "machine check ", "machine show "}) {
     const Outcome outcome = kerf(std::string(command) + "--help");
     EXPECT_EQ(outcome.status, 0) << command;
     EXPECT_NE(outcome.out.find("Example"), std::string::npos) << command;
+    EXPECT_NE(outcome.out.find("  kerf " + std::string(command)), std::string::npos) << command;
   }
   EXPECT_EQ(kerf("--version").out.substr(0, 5), "kerf ");
 }

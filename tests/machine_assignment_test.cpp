@@ -101,10 +101,9 @@ TEST(MachineAssignment, ErrorsNameTheOption) {
       error_of("tools.0.radius=1"),
       "--set tools.0.radius=1: tool number 0 cannot be set; compensation number 0 is always 0; number tools "
       "from 1");
-  EXPECT_EQ(
-      error_of("offsets.G54.B=1"),
-      "--set offsets.G54.B=1: 'offsets.G54.B': the machine has no axis B; its axes are X Y C; any key of "
-      "'axes.B' adds the axis");
+  EXPECT_EQ(error_of("offsets.G54.B=1"),
+            "--set offsets.G54.B=1: 'offsets.G54.B': the machine has no axis B; its axes are X Y C; "
+            "--set with any key of 'axes.B' adds the axis");
   EXPECT_EQ(error_of("lathe.chuck=1"),
             "--set lathe.chuck=1: 'lathe.chuck' is a setting of another dialect; leave it out");
   EXPECT_EQ(error_of("machine.name.x=1").substr(0, 58),

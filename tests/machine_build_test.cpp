@@ -44,7 +44,7 @@ rapid = 11
 max_feed = 12
 acceleration = 13
 jerk = 14
-home = 15
+home = -15
 start = -16
 [axes.A]
 [offsets]
@@ -78,7 +78,7 @@ look_ahead = 17
   EXPECT_EQ(z.max_feed, 12.0);
   EXPECT_EQ(z.acceleration, 13.0);
   EXPECT_EQ(z.jerk, 14.0);
-  EXPECT_EQ(z.home, 15.0);
+  EXPECT_EQ(z.home, -15.0);
   EXPECT_EQ(z.start, -16.0);
   for (std::size_t i = 0; i < kWorkOffsetCount; ++i) {
     EXPECT_EQ(machine->work_offsets[i][Axis::Z], static_cast<double>(i + 1));

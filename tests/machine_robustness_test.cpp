@@ -79,7 +79,7 @@ TEST(MachineRobustness, DeepNesting) {
   EXPECT_TRUE(refused("a = " + repeated("[", 1000000)));
   EXPECT_TRUE(refused("a = " + repeated("{a = ", 1000000)));
   EXPECT_TRUE(refused("a = " + repeated("{" + repeated("a.", 100) + "a = [\n", 10000)));
-  EXPECT_EQ(dialect_of(repeated("a.", 1000000) + "a = 1\n"), std::nullopt);
+  EXPECT_EQ(dialect_of(repeated("a.", 1000000) + "a = 1\n", "mill.toml").has_value(), false);
 
   const auto done = apply_toml(settings, "\n" + repeated("a.", 101) + "a = 1\n", "m.toml");
   ASSERT_FALSE(done);

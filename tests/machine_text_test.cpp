@@ -34,7 +34,7 @@ TEST(MachineText, InitTextReadsBackToTheDefaults) {
   EXPECT_EQ(errors_of(settings, init_text(mill(), "mill")), std::vector<std::string>{});
   expect_same_values(settings, mill_settings());
   for (const Setting* setting : settings.in_order()) EXPECT_TRUE(setting->is_explicit()) << setting->key;
-  EXPECT_EQ(dialect_of(init_text(mill(), "mill")), "mill");
+  EXPECT_EQ(dialect_of(init_text(mill(), "mill"), "mill.toml")->name, "mill");
 }
 
 TEST(MachineText, InitTextExplainsEveryKey) {

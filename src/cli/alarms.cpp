@@ -4,6 +4,7 @@
 #include <memory>
 #include <unistd.h>
 
+#include "base/edit_distance.hpp"
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/exit_status.hpp"
@@ -11,6 +12,16 @@
 #include "report/alarm_catalogue.hpp"
 
 namespace kerf {
+namespace {
+
+std::string proposal(std::string_view code, std::span<const AlarmKind> alarms) {
+  const std::string_view near = nearest_word(code, alarms, [](const AlarmKind& kind) { return kind.detail; });
+  if (near.empty()) return "`kerf alarms` lists them all";
+  return fmt::format("did you mean {}? `kerf alarms` lists them all", near);
+}
+
+}  // namespace
+
 int alarms_command(const AlarmsOptions& options) {
   const auto controller = prepare_controller(options.common);
   if (!controller) return kExitUsage;
@@ -24,7 +35,7 @@ int alarms_command(const AlarmsOptions& options) {
   const auto found = find_alarms(dialect.alarms, *options.code);
   if (found.empty()) {
     print_error(fmt::format("{} has no alarm '{}'", dialect.title, *options.code),
-                "`kerf alarms` lists them all");
+                proposal(*options.code, dialect.alarms));
     return kExitUsage;
   }
   const int width = style_of_stream(STDOUT_FILENO, ColorChoice::never).width;

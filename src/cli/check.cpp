@@ -9,19 +9,15 @@
 #include "cli/exit_status.hpp"
 #include "cli/job.hpp"
 #include "report/diagnostic.hpp"
+#include "report/text_escape.hpp"
 
 namespace kerf {
 namespace {
 
 struct Counts {
-  int alarms = 0;
-  int warnings = 0;
+  std::uint64_t alarms = 0;
+  std::uint64_t warnings = 0;
 };
-
-std::string count_text(int count, std::string_view noun) {
-  if (count == 0) return fmt::format("no {}s", noun);
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
 
 Counts check_program(const Prepared& prepared, const CheckOptions& options, ResultStream& out) {
   const Source& source = *prepared.source;
@@ -39,16 +35,18 @@ Counts check_program(const Prepared& prepared, const CheckOptions& options, Resu
     append_diagnostic(out.text(), source.name(), source.text(), *alarm, style);
     out.text() += '\n';
     out.overflow();
-    if (counts.alarms >= options.max_alarms) {
-      out.text() += fmt::format("{}: more than {} alarms, the rest is not checked (--max-alarms)\n",
-                                source.name(), options.max_alarms);
+    if (counts.alarms >= static_cast<std::uint64_t>(options.max_alarms)) {
+      append_visible(out.text(), source.name());
+      out.text() += fmt::format(": {}, the rest is not checked (--max-alarms)\n",
+                                count_text(counts.alarms, "alarm", "alarms"));
       break;
     }
     if (stops) job->recover();
   }
-  out.text() += fmt::format("{}: {}, {}, {} executed\n", source.name(), count_text(counts.alarms, "alarm"),
-                            count_text(counts.warnings, "warning"),
-                            count_text(static_cast<int>(job->interpreter().blocks()), "block"));
+  append_visible(out.text(), source.name());
+  out.text() += fmt::format(": {}, {}, {} executed\n", count_text(counts.alarms, "alarm", "alarms"),
+                            count_text(counts.warnings, "warning", "warnings"),
+                            count_text(job->interpreter().blocks(), "block", "blocks"));
   return counts;
 }
 

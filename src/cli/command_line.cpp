@@ -1,10 +1,11 @@
 #include "cli/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <functional>
-#include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "base/edit_distance.hpp"
 #include "cli/commands.hpp"
@@ -18,17 +19,39 @@ namespace {
 /// What the chosen subcommand does, set by its parser.
 using CommandAction = std::function<int()>;
 
-/// --dialect, --machine, --set
-void add_machine_options(CLI::App& command, CommonOptions& options) {
-  command.add_option(
-      "--dialect", options.dialect,
-      "Controller the program is written for (dgshape); otherwise from the machine file, otherwise "
-      "from the program");
-  command.add_option("--machine", options.machine_file, "Machine file (TOML); see `kerf machine init`")
-      ->type_name("FILE");
+void add_dialect_option(CLI::App& command, CommonOptions& options) {
+  command
+      .add_option("--dialect", options.dialect,
+                  "Controller the program is written for (dgshape); otherwise from the machine file, "
+                  "otherwise from the program")
+      ->type_name("NAME");
+}
+
+void add_set_option(CLI::App& command, CommonOptions& options) {
   command.add_option("--set", options.assignments, "Set one key of the machine file; repeatable")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+}
+
+/// --dialect, --machine, --set
+CLI::Option* add_machine_options(CLI::App& command, CommonOptions& options) {
+  add_dialect_option(command, options);
+  CLI::Option* machine =
+      command.add_option("--machine", options.machine_file, "Machine file (TOML); see `kerf machine init`")
+          ->type_name("FILE");
+  add_set_option(command, options);
+  return machine;
+}
+
+/// Turns the word of --color into the number of its choice.
+std::string color_number(std::string& word) {
+  constexpr std::array<std::string_view, 3> kWords{"auto", "always", "never"};
+  for (std::size_t i = 0; i < kWords.size(); ++i) {
+    if (edit_distance(word, kWords[i]) != 0) continue;
+    word = std::to_string(i);
+    return {};
+  }
+  return "'" + word + "' is not one of auto, always or never";
 }
 
 /// The above and --optional-stop, --block-skip, --program-dir, --color, -v
@@ -40,10 +63,8 @@ void add_program_options(CLI::App& command, CommonOptions& options) {
       .add_option("--program-dir", options.program_dir,
                   "Where subprograms are looked up (default: the folder of FILE)")
       ->type_name("DIR");
-  static const std::map<std::string, ColorChoice> kColors{
-      {"auto", ColorChoice::automatic}, {"always", ColorChoice::always}, {"never", ColorChoice::never}};
   command.add_option("--color", options.color, "Colours in diagnostics: auto, always or never")
-      ->transform(CLI::CheckedTransformer(kColors, CLI::ignore_case).description(""))
+      ->transform(CLI::Validator(color_number, ""))
       ->type_name("WHEN");
   command.add_flag("-v,--verbose", options.verbose, "Say what is being done, on standard error");
 }
@@ -135,19 +156,30 @@ void add_machine(CLI::App& app, CommandAction& action) {
   command->require_subcommand(1);
 
   CLI::App* init = command->add_subcommand("init", "Write a commented default machine file");
-  init->add_option("FILE", options->file, "Where to (default: standard output)")->type_name("");
+  init->add_option("FILE", options->file, "Where to (default and -: standard output)")->type_name("");
   init->add_flag("--force", options->force, "Overwrite an existing file");
-  add_machine_options(*init, options->common);
+  add_dialect_option(*init, options->common);
+  init->footer(
+      "Examples:\n"
+      "  kerf machine init mill.toml\n"
+      "  kerf machine init --dialect dgshape | less");
   choose(*init, action, options, machine_init_command);
 
   CLI::App* check = command->add_subcommand("check", "Validate a machine file");
   check->add_option("FILE", options->file, "Machine file (TOML)")->required()->type_name("");
-  add_machine_options(*check, options->common);
+  add_dialect_option(*check, options->common);
+  add_set_option(*check, options->common);
+  check->footer("Example:\n  kerf machine check mill.toml");
   choose(*check, action, options, machine_check_command);
 
   CLI::App* show = command->add_subcommand("show", "Show every effective value and where it comes from");
-  show->add_option("FILE", options->file, "Machine file (TOML)")->type_name("");
-  add_machine_options(*show, options->common);
+  CLI::Option* file =
+      show->add_option("FILE", options->file, "Machine file (TOML; default: --machine)")->type_name("");
+  file->excludes(add_machine_options(*show, options->common));
+  show->footer(
+      "Examples:\n"
+      "  kerf machine show --dialect dgshape\n"
+      "  kerf machine show mill.toml --set axes.X.rapid=8000");
   choose(*show, action, options, machine_show_command);
   command->footer(
       "Examples:\n"
@@ -156,23 +188,61 @@ void add_machine(CLI::App& app, CommandAction& action) {
       "  kerf machine show mill.toml --set axes.X.rapid=8000");
 }
 
-/// "did you mean check?" for a first word that is no command.
-std::string near_command(const CLI::App& app, const std::string& word) {
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-    if (edit_distance(word, command->get_name()) <= 2)
-      return "did you mean `kerf " + command->get_name() + "`?";
+std::vector<std::string> names_of_commands(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  return names;
+}
+
+std::vector<std::string> names_of_options(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   }
-  return "`kerf --help` lists the commands";
+  return names;
+}
+
+/// The command on the command line, its own command included, and how it is called.
+struct Chosen {
+  const CLI::App* app = nullptr;
+  std::string name = "kerf";
+  int words = 1;  ///< of the command line that name it
+};
+
+Chosen chosen_command(const CLI::App& app) {
+  Chosen chosen{&app};
+  while (!chosen.app->get_subcommands().empty()) {
+    chosen.app = chosen.app->get_subcommands().front();
+    chosen.name += " " + chosen.app->get_name();
+    ++chosen.words;
+  }
+  return chosen;
+}
+
+/// What was meant by the first argument the command does not know; empty when all are known.
+int unknown_word(const Chosen& chosen, const std::string& word) {
+  const bool option = word.front() == '-';
+  const std::vector<std::string> known =
+      option ? names_of_options(*chosen.app) : names_of_commands(*chosen.app);
+  const std::string_view near = nearest_word(word.substr(0, word.find('=')), known);
+  std::string remedy = "`" + chosen.name + " --help` shows the usage";
+  if (!near.empty())
+    remedy = "did you mean " +
+             (option ? std::string(near) : "`" + chosen.name + " " + std::string(near) + "`") + "?";
+  print_error("'" + chosen.name + "' has no " + (option ? "option " : "command ") + word, remedy);
+  return kExitUsage;
 }
 
 int usage_error(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
-  const bool no_command = app.get_subcommands().empty();
-  if (no_command && argc > 1 && argv[1][0] != '-') {
-    print_error("there is no command '" + std::string(argv[1]) + "'", near_command(app, argv[1]));
-  } else {
-    const std::string command = no_command ? "kerf" : "kerf " + app.get_subcommands().front()->get_name();
-    print_error(error.what(), "`" + command + " --help` shows the usage");
+  const Chosen chosen = chosen_command(app);
+  const bool needs_command = !names_of_commands(*chosen.app).empty();
+  if (needs_command && argc > chosen.words) return unknown_word(chosen, argv[chosen.words]);
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) {
+    const std::vector<std::string> extras = chosen.app->remaining();
+    if (!extras.empty() && extras.front().starts_with("--")) return unknown_word(chosen, extras.front());
   }
+  print_error(error.what(), "`" + chosen.name + " --help` shows the usage");
   return kExitUsage;
 }
 

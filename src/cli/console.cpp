@@ -56,6 +56,11 @@ void ResultStream::flush() {
   text_.clear();
 }
 
+std::string count_text(std::uint64_t count, std::string_view one, std::string_view more) {
+  if (count == 0) return fmt::format("no {}", more);
+  return fmt::format("{} {}", count, count == 1 ? one : more);
+}
+
 void print_error(std::string_view message, std::string_view remedy) {
   std::string text = fmt::format("kerf: {}\n", message);
   if (!remedy.empty()) text += fmt::format("      {}\n", remedy);

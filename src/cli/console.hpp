@@ -38,6 +38,9 @@ class ResultStream {
   bool good_ = true;
 };
 
+/// "no alarms", "1 alarm", "2 alarms"
+std::string count_text(std::uint64_t count, std::string_view one, std::string_view more);
+
 void print_error(std::string_view message, std::string_view remedy = {});
 
 /// A line on standard error that shows how far a long piece of work is, only on a terminal and only after a

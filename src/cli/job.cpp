@@ -1,6 +1,7 @@
 #include "cli/job.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <fmt/format.h>
 
 #include "machine/settings_file.hpp"
@@ -8,11 +9,19 @@
 namespace kerf {
 namespace {
 
+/// Bytes in which a file shows what it is.
+constexpr std::size_t kHead = 4096;
+
 bool read_machine_file(const CommonOptions& options, SetupOptions& setup) {
   if (!options.machine_file) return true;
-  const auto file = Source::open(*options.machine_file);
+  const auto file = Source::open(*options.machine_file, "machine description");
   if (!file) {
     print_error(file.error().message, file.error().remedy);
+    return false;
+  }
+  if ((*file)->text().substr(0, kHead).find('\0') != std::string_view::npos) {
+    print_error(fmt::format("{} is binary data, not a machine file", *options.machine_file),
+                "name a machine file; `kerf machine init` writes one");
     return false;
   }
   setup.machine_text = std::string((*file)->text().substr(0, kLargestMachineFile + 1));
@@ -41,7 +50,6 @@ std::optional<std::string> not_a_program(const Source& source) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     return fmt::format("{} is empty, so there is no program to run", source.name());
   }
-  constexpr std::size_t kHead = 4096;
   if (text.substr(0, kHead).find('\0') != std::string_view::npos) {
     return fmt::format("{} is binary data, not an NC program", source.name());
   }
@@ -51,6 +59,11 @@ std::optional<std::string> not_a_program(const Source& source) {
 }  // namespace
 
 std::optional<Prepared> prepare(const std::string& file, const CommonOptions& options) {
+  if (options.program_dir && !std::filesystem::is_directory(*options.program_dir)) {
+    print_error(fmt::format("--program-dir {} is no folder", *options.program_dir),
+                "name the folder that holds the subprograms");
+    return std::nullopt;
+  }
   auto source = Source::open(file);
   if (!source) {
     print_error(source.error().message, source.error().remedy);

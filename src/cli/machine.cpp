@@ -16,7 +16,7 @@ int machine_init_command(const MachineOptions& options) {
   const auto controller = prepare_controller(options.common);
   if (!controller) return kExitUsage;
   const std::string text = init_text(schema_of(*controller->dialect), controller->dialect->name);
-  if (!options.file) {
+  if (!options.file || *options.file == "-") {
     ResultStream out;
     out.text() = text;
     out.flush();
@@ -40,10 +40,10 @@ int machine_check_command(const MachineOptions& options) {
   common.machine_file = options.file;
   const auto controller = prepare_controller(common);
   if (!controller) return kExitUsage;
+  const auto axes = static_cast<std::uint64_t>(controller->machine.axes.size());
   ResultStream out;
-  out.text() =
-      fmt::format("{}: good, a {} machine '{}' with {} axes\n", *options.file, controller->dialect->title,
-                  controller->machine.name, controller->machine.axes.size());
+  out.text() = fmt::format("{}: good, a {} machine '{}' with {}\n", *options.file, controller->dialect->title,
+                           controller->machine.name, count_text(axes, "axis", "axes"));
   out.flush();
   return out.good() ? kExitGood : kExitUsage;
 }

@@ -12,6 +12,8 @@
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/exit_status.hpp"
+#include "cli/file_clash.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/job.hpp"
 #include "cli/version.hpp"
 #include "report/atomic_file.hpp"
@@ -95,6 +97,33 @@ bool open_file(const std::optional<std::string>& name, std::optional<AtomicFile>
   return true;
 }
 
+std::vector<NamedFile> output_names(const RunCommandOptions& options) {
+  std::vector<NamedFile> names;
+  const auto take = [&names](const std::optional<std::string>& path, std::string role) {
+    if (path) names.push_back({*path, std::move(role)});
+  };
+  take(options.plot, "--plot");
+  take(options.report, "--report");
+  take(options.trace, "--trace");
+  return names;
+}
+
+/// Nothing is read or written before the names are known to be good.
+bool names_are_good(const RunCommandOptions& options) {
+  const std::vector<NamedFile> outputs = output_names(options);
+  for (const NamedFile& output : outputs) {
+    if (output.path != "-") continue;
+    print_error(fmt::format("{} writes to a file, not to -", output.role),
+                "name a file; /dev/stdout is standard output");
+    return false;
+  }
+  std::vector<NamedFile> inputs{{options.file, "the program"}};
+  if (options.common.machine_file) inputs.push_back({*options.common.machine_file, "the machine file"});
+  const auto clash = file_clash(inputs, outputs);
+  if (clash) print_error(*clash, "give each output a name of its own");
+  return !clash;
+}
+
 bool open_outputs(const RunCommandOptions& options, const Machine& machine, Outputs& outputs) {
   std::optional<AtomicFile> trace;
   if (!open_file(options.plot, outputs.plot) || !open_file(options.report, outputs.report) ||
@@ -125,9 +154,11 @@ RunRecord play(const RunCommandOptions& options, const Prepared& prepared, Outpu
       if (options.realtime) pace.wait_until(cycle.time_s);
     };
   }
+  // In real time a wish to end is obeyed at once; otherwise a look at it now and then is soon enough.
+  run_options.progress_cycles = options.realtime ? 1 : 10'000;
   run_options.on_progress = [&](const RunProgress& at) {
     progress.show(share, fmt::format("{}  {:.1f} s of machine time", prepared.source->name(), at.time_s));
-    return true;
+    return Interrupt::signal() == 0;
   };
   const auto next = [&]() -> const Action* {
     const Action* action = job->next();
@@ -169,11 +200,17 @@ int status_of(const RunSummary& summary) {
 }  // namespace
 
 int run_command(const RunCommandOptions& options) {
+  if (!names_are_good(options)) return kExitUsage;
   const auto prepared = prepare(options.file, options.common);
   if (!prepared) return kExitUsage;
   Outputs outputs;
   if (!open_outputs(options, prepared->controller.machine, outputs)) return kExitUsage;
+  const Interrupt interrupt;
   const RunRecord record = play(options, *prepared, outputs);
+  if (Interrupt::signal() != 0) {
+    print_error("interrupted; no file was written");
+    return kExitSignal + Interrupt::signal();
+  }
 
   ResultStream out;
   for (const Alarm& alarm : record.summary.alarms) {

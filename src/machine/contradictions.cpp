@@ -19,18 +19,26 @@ SettingsError at(const Setting& setting, std::string message, std::string remedy
   return {{}, 0, 0, std::move(message), std::move(remedy)};
 }
 
-void check_start(const Settings& settings, Axis axis, std::vector<SettingsError>& errors) {
-  const Setting* start = settings.find(expanded("axes.*.start", axis));
+/// A position of the axis, `axes.*.start` for example, that lies outside its limits.
+void check_inside(const Settings& settings, std::string_view key, Axis axis,
+                  std::vector<SettingsError>& errors) {
+  const Setting* inside = settings.find(expanded(key, axis));
   const Setting* limits = settings.find(expanded("axes.*.limits", axis));
-  if (!start || !limits) return;
-  const double position = settings.number(start->key);
+  if (!inside || !limits) return;
+  const double position = settings.number(inside->key);
   const auto [low, high] = settings.pair(limits->key);
   if (position >= low && position <= high) return;
-  const Setting& to_blame = start->is_explicit() ? *start : *limits;
+  const Setting& to_blame = inside->is_explicit() ? *inside : *limits;
   errors.push_back(at(to_blame,
-                      fmt::format("'{}' = {} lies outside '{}' = {}", start->key, toml_text(start->value),
+                      fmt::format("'{}' = {} lies outside '{}' = {}", inside->key, toml_text(inside->value),
                                   limits->key, toml_text(limits->value)),
-                      fmt::format("give '{}' a value within the limits", start->key)));
+                      fmt::format("give '{}' a value within the limits", inside->key)));
+}
+
+/// A reference point left at its default may lie outside: nobody who does not use it need set it.
+void check_home(const Settings& settings, Axis axis, std::vector<SettingsError>& errors) {
+  const Setting* home = settings.find(expanded("axes.*.home", axis));
+  if (home && home->is_explicit()) check_inside(settings, "axes.*.home", axis, errors);
 }
 
 void check_servo_number(const Settings& settings, Axis axis, std::vector<SettingsError>& errors) {
@@ -57,10 +65,22 @@ std::vector<SettingsError> contradictions(const Settings& settings, AxisSet skip
   }
   for (const Axis axis : settings.axes()) {
     if (skipped.contains(axis)) continue;
-    check_start(settings, axis, errors);
+    check_inside(settings, "axes.*.start", axis, errors);
+    check_home(settings, axis, errors);
     check_servo_number(settings, axis, errors);
   }
   return errors;
+}
+
+std::optional<SettingsError> wrong_order(const Settings& settings, std::string_view low_key,
+                                         std::string_view high_key) {
+  if (settings.number(low_key) <= settings.number(high_key)) return std::nullopt;
+  const Setting& low = *settings.find(low_key);
+  const Setting& high = *settings.find(high_key);
+  return at(low.is_explicit() ? low : high,
+            fmt::format("'{}' = {} is above '{}' = {}", low_key, toml_text(low.value), high_key,
+                        toml_text(high.value)),
+            "raise the higher or lower the lower one");
 }
 
 }  // namespace kerf

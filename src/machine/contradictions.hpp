@@ -1,6 +1,8 @@
 #pragma once
 // Settings that are right each by itself but not together.
 
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "base/axis.hpp"
@@ -10,8 +12,12 @@
 namespace kerf {
 
 /// Every relation that does not hold, at the place where one of its values was set: an axis that starts
-/// outside its limits, two axes with one servo number, a machine without axes. Nothing is said about the axes
-/// in `skipped`.
+/// outside its limits or has a reference point set there, two axes with one servo number, a machine without
+/// axes. Nothing is said about the axes in `skipped`.
 std::vector<SettingsError> contradictions(const Settings& settings, AxisSet skipped = {});
+
+/// The complaint that the value of `low_key` is above that of `high_key`, both numbers; none when it is not.
+std::optional<SettingsError> wrong_order(const Settings& settings, std::string_view low_key,
+                                         std::string_view high_key);
 
 }  // namespace kerf

@@ -59,11 +59,9 @@ Complaint unknown_key(const Settings& settings, const KeyPath& path, std::size_t
   return {fmt::format("unknown key '{}'", joined(path)), suggestion(settings, path, fault)};
 }
 
-Complaint missing_axis(const Settings& settings, const KeyPath& path) {
-  const std::string& axis = path.back();
-  return {fmt::format("'{}': the machine has no axis {}", joined(path), axis),
-          fmt::format("its axes are {}; any key of 'axes.{}' adds the axis", axis_letters(settings.axes()),
-                      axis)};
+Complaint missing_axis(const Settings& settings, const KeyPath& path, std::string_view remedy) {
+  return {fmt::format("'{}': the machine has no axis {}", joined(path), path.back()),
+          fmt::format("its axes are {}; {}", axis_letters(settings.axes()), remedy)};
 }
 
 Complaint section_not_value(const KeyPath& path) {

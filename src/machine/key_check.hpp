@@ -12,8 +12,9 @@ namespace kerf {
 /// The complaint about a path whose segment `fault` (from 0) was not found, with the nearest key.
 Complaint unknown_key(const Settings& settings, const KeyPath& path, std::size_t fault, const KeyStep& step);
 
-/// The complaint about a key of an axis that the machine lacks, e.g. offsets.G54.B.
-Complaint missing_axis(const Settings& settings, const KeyPath& path);
+/// The complaint about a key of an axis that the machine lacks, e.g. offsets.G54.B. `path` ends with the
+/// axis; `remedy` says how the axis is added.
+Complaint missing_axis(const Settings& settings, const KeyPath& path, std::string_view remedy);
 
 /// The complaint about a section that is given a value, or a key that is given a table.
 Complaint section_not_value(const KeyPath& path);

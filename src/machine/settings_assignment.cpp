@@ -24,7 +24,10 @@ tl::expected<const Parameter*, Complaint> find_parameter(const Settings& setting
     if (!found) return tl::unexpected(unknown_key(settings, path, i, step));
     const bool lacks_axis =
         step.instance == Instance::axis && !settings.axes().contains(*axis_of(path[i])) && path[0] != "axes";
-    if (lacks_axis) return tl::unexpected(missing_axis(settings, prefix));
+    if (lacks_axis) {
+      return tl::unexpected(missing_axis(
+          settings, prefix, fmt::format("--set with any key of 'axes.{}' adds the axis", prefix.back())));
+    }
     if (last && step.kind == KeyStep::Kind::parameter) return step.parameter;
   }
   return tl::unexpected(section_not_value(path));

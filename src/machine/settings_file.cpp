@@ -101,6 +101,11 @@ std::optional<Value> value_of(const toml::node& node) {
   return pair;
 }
 
+/// A file with axis tables describes all axes of the machine.
+std::string table_beside_others(std::string_view axis) {
+  return fmt::format("add an [axes.{}] table beside those of all other axes", axis);
+}
+
 /// Walks the parsed file and fills the settings; collects what is wrong.
 class FileReader {
  public:
@@ -156,7 +161,9 @@ class FileReader {
     if (step.instance == Instance::tool && node.is_table()) settings_.add_tool(*tool_of(path.back()));
     if (step.instance == Instance::axis && !settings_.axes().contains(*axis_of(path.back()))) {
       // An axis that is no table stays unknown to the machine; that it should be one is the better message.
-      fail(path, key.source(), path[0] == "axes" ? section_not_value(path) : missing_axis(settings_, path));
+      fail(path, key.source(),
+           path[0] == "axes" ? section_not_value(path)
+                             : missing_axis(settings_, path, table_beside_others(path.back())));
       return;
     }
     if (step.kind == KeyStep::Kind::section) {
@@ -224,11 +231,15 @@ tl::expected<void, std::vector<SettingsError>> apply_toml(Settings& settings, st
   return {};
 }
 
-std::optional<std::string> dialect_of(std::string_view toml_text) {
+std::optional<NamedDialect> dialect_of(std::string_view toml_text, std::string_view file_name) {
   if (unsafe_text(toml_text, {})) return std::nullopt;
   const toml::parse_result parsed = toml::parse(toml_text);
   if (!parsed) return std::nullopt;
-  return parsed.table()["dialect"].value<std::string>();
+  const toml::value<std::string>* name = parsed.table()["dialect"].as_string();
+  if (name == nullptr) return std::nullopt;
+  const toml::source_position place = name->source().begin;
+  return NamedDialect{name->get(),
+                      {ValueOrigin::Kind::file, std::string(file_name), place.line, place.column}};
 }
 
 }  // namespace kerf

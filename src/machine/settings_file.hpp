@@ -29,8 +29,14 @@ tl::expected<void, std::vector<SettingsError>> apply_toml(Settings& settings, st
 /// nothing.
 tl::expected<void, SettingsError> apply_assignment(Settings& settings, std::string_view key_equals_value);
 
+/// The dialect a machine file names, and where.
+struct NamedDialect {
+  std::string name;
+  ValueOrigin place;
+};
+
 /// The top-level `dialect` of a machine file; none when it is absent, no text, or the file is no TOML
 /// (apply_toml tells why).
-std::optional<std::string> dialect_of(std::string_view toml_text);
+std::optional<NamedDialect> dialect_of(std::string_view toml_text, std::string_view file_name);
 
 }  // namespace kerf

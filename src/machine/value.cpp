@@ -178,9 +178,9 @@ std::vector<Choice> choices_of(const Parameter& parameter) {
 }
 
 Complaint wrong_type(const Parameter& parameter, std::string_view key, std::string_view found) {
-  const std::string remedy = parameter.type == ValueType::word
-                                 ? fmt::format("choose {}", range_text(parameter))
-                                 : fmt::format("for example {}", parameter.default_value);
+  std::string remedy = fmt::format("for example {}", parameter.default_value);
+  if (parameter.type == ValueType::word) remedy = fmt::format("choose {}", range_text(parameter));
+  if (parameter.type == ValueType::text) remedy = "write the text between double quotes";
   return {fmt::format("'{}' takes {}, not {}", key, expected_type(parameter.type), found), remedy};
 }
 

@@ -30,11 +30,11 @@ double round_down_125(double value) {
 }
 
 std::vector<double> ticks_between(double low, double high, double step) {
-  constexpr double kMost = 200.0;
+  constexpr int kMost = 200;
   std::vector<double> ticks;
   const double first = std::ceil(low / step - kRounding);
-  const double last = std::min(std::floor(high / step + kRounding), first + kMost - 1.0);
-  for (double i = first; i <= last; i += 1.0) ticks.push_back(i * step);
+  const double last = std::floor(high / step + kRounding);
+  for (int i = 0; i < kMost && first + i <= last; ++i) ticks.push_back((first + i) * step);
   return ticks;
 }
 

@@ -12,6 +12,9 @@ namespace {
 constexpr int kTabStop = 4;
 constexpr char32_t kEllipsis = 0x2026;
 
+/// How far from a place the end of its line is looked for.
+constexpr std::size_t kLineReach = std::size_t{1} << 16;
+
 /// One character of the line, as it is shown.
 struct Cell {
   char32_t shown = 0;
@@ -19,6 +22,26 @@ struct Cell {
   int width = 1;
   std::size_t byte = 0;
 };
+
+/// The bytes of a line that can come to be shown around a mark.
+struct Slice {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+/// A line of a gigabyte is not laid out whole. Eight bytes a column leave room for UTF-8 and for characters
+/// without a width.
+Slice slice_around(std::string_view line, std::size_t mark, std::size_t columns) {
+  const std::size_t reach = 8 * columns;
+  const auto inside_character = [&line](std::size_t at) {
+    return at < line.size() && (static_cast<unsigned char>(line[at]) & 0xC0U) == 0x80U;
+  };
+  mark = std::min(mark, line.size());
+  Slice slice{mark > reach ? mark - reach : 0, std::min(line.size(), mark + reach)};
+  while (slice.begin < mark && inside_character(slice.begin)) ++slice.begin;
+  while (slice.end > mark && inside_character(slice.end)) --slice.end;
+  return slice;
+}
 
 std::vector<Cell> cells_of(std::string_view line) {
   std::vector<Cell> cells;
@@ -79,23 +102,28 @@ std::string_view line_of(std::string_view source, const SourceSpan& span) {
   if (span.column - 1U > offset) return {};
   const std::size_t begin = offset - (span.column - 1U);
   const bool at_line_start = begin == 0 || source[begin - 1] == '\n' || source[begin - 1] == '\r';
-  const std::size_t end = std::min(source.find_first_of("\r\n", begin), source.size());
+  const std::size_t near = std::max(begin, offset - std::min(offset, kLineReach));
+  const std::string_view around = source.substr(near, offset - near + kLineReach);
+  const std::size_t end = near + std::min(around.find_first_of("\r\n"), around.size());
   if (!at_line_start || end < offset) return {};
   return source.substr(begin, end - begin);
 }
 
 Excerpt excerpt_of(std::string_view source, const SourceSpan& span, int columns) {
+  columns = std::max(columns, 20);
   const std::string_view line = line_of(source, span);
-  const std::vector<Cell> cells = cells_of(line);
-  const std::size_t begin = span.column == 0 ? 0 : span.column - 1U;
+  const std::size_t place = span.column == 0 ? 0 : span.column - 1U;
+  const Slice slice = slice_around(line, place, static_cast<std::size_t>(columns));
+  const std::vector<Cell> cells = cells_of(line.substr(slice.begin, slice.end - slice.begin));
+  const std::size_t begin = place - slice.begin;
   const Columns mark = marked_columns(cells, begin, begin + span.length);
   const int line_width = cells.empty() ? 0 : cells.back().column + cells.back().width;
-  const Columns window = window_of(line_width, mark, std::max(columns, 20));
+  const Columns window = window_of(line_width, mark, columns);
 
   Excerpt excerpt;
   // A cut end gives its column to the ellipsis.
-  const bool cut_left = window.first > 0;
-  const bool cut_right = window.last < line_width;
+  const bool cut_left = window.first > 0 || slice.begin > 0;
+  const bool cut_right = window.last < line_width || slice.end < line.size();
   const int first = window.first + (cut_left ? 1 : 0);
   const int last = window.last - (cut_right ? 1 : 0);
   int column = window.first;

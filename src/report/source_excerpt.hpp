@@ -9,7 +9,8 @@
 namespace kerf {
 
 /// The line of `source` in which the span begins, without its line end. Empty when the span has no place or
-/// lies outside the text (an alarm of another file).
+/// lies outside the text (an alarm of another file). Of a very long line the part up to 64 KiB behind the
+/// place.
 std::string_view line_of(std::string_view source, const SourceSpan& span);
 
 /// A line as shown: tabs as spaces, control codes as visible stand-ins, cut with `…` where it is too long.

@@ -267,19 +267,19 @@ double append_ranges(std::string& out, const RunExtents& extents, const Machine&
   out +=
       fmt::format("<text class=\"note\" x=\"{}\" y=\"{}\">{}</text>\n", kLeft, rounded_text(top, 2),
                   cuts ? "Cutting moves reach (machine coordinates):" : "Moves reach (machine coordinates):");
+  const auto rows_of = [](int cells) { return (cells + kColumns - 1) / kColumns; };
   int cell = 0;
   for (const Axis axis : machine.axes) {
     if (extents.all[index(axis)].length() == 0.0) continue;
     const Extent& extent = cuts ? extents.cutting[index(axis)] : extents.all[index(axis)];
     const std::string_view unit = machine[axis].type == AxisType::rotary ? "°" : "mm";
-    out +=
-        fmt::format("<text class=\"note\" x=\"{}\" y=\"{}\">{}  {} … {}  ({} {})</text>\n",
-                    kLeft + kColumn * (cell % kColumns), rounded_text(top + kRow * (1 + cell / kColumns), 2),
-                    letter(axis), fixed_text(extent.low, 3), fixed_text(extent.high, 3),
-                    fixed_text(extent.length(), 3), unit);
+    out += fmt::format("<text class=\"note\" x=\"{}\" y=\"{}\">{}  {} … {}  ({} {})</text>\n",
+                       kLeft + kColumn * (cell % kColumns), rounded_text(top + kRow * rows_of(cell + 1), 2),
+                       letter(axis), fixed_text(extent.low, 3), fixed_text(extent.high, 3),
+                       fixed_text(extent.length(), 3), unit);
     ++cell;
   }
-  return kRow * (1 + (cell + kColumns - 1) / kColumns);
+  return kRow * (1 + rows_of(cell));
 }
 
 void append_view(std::string& out, const ViewFrame& frame, const RunRecord& record, const RunExtents& extents,

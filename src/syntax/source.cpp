@@ -80,7 +80,7 @@ tl::expected<std::shared_ptr<const Source>, SourceError> read_stream(const std::
     if (capacity >= Source::kMaxPipeBytes) {
       return tl::unexpected(
           SourceError{fmt::format("{}: more than {} MiB through a pipe", path, capacity >> 20),
-                      "write the program to a file first"});
+                      "write the text to a file first"});
     }
     auto larger = std::make_unique_for_overwrite<char[]>(capacity * 2 + Source::kBehind);
     std::copy_n(data.get(), size, larger.get());
@@ -97,15 +97,16 @@ Source::Source(std::string name, std::unique_ptr<char[]> data, std::size_t size)
   std::fill_n(data_.get() + size_, kBehind, '\n');
 }
 
-tl::expected<std::shared_ptr<const Source>, SourceError> Source::open(const std::string& path) {
+tl::expected<std::shared_ptr<const Source>, SourceError> Source::open(const std::string& path,
+                                                                      std::string_view kind) {
   if (path == "-") return read_stream("standard input", STDIN_FILENO);
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.get() < 0) return tl::unexpected(system_error(path, errno));
   struct stat status {};
   if (::fstat(file.get(), &status) != 0) return tl::unexpected(system_error(path, errno));
   if (S_ISDIR(status.st_mode)) {
-    return tl::unexpected(SourceError{fmt::format("{} is a folder, not an NC program", path),
-                                      "name the program file inside the folder"});
+    return tl::unexpected(SourceError{fmt::format("{} is a folder, not a file with the {}", path, kind),
+                                      fmt::format("name the file of the {} inside the folder", kind)});
   }
   if (S_ISREG(status.st_mode) && status.st_size > 0) {
     return read_sized(path, file.get(), static_cast<std::size_t>(status.st_size));

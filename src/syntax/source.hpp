@@ -20,7 +20,9 @@ struct SourceError {
 class Source {
  public:
   /// Reads a regular file, a pipe, or standard input for "-". Text from pipes is limited to kMaxPipeBytes.
-  static tl::expected<std::shared_ptr<const Source>, SourceError> open(const std::string& path);
+  /// `kind` is what the file should be, for messages.
+  static tl::expected<std::shared_ptr<const Source>, SourceError> open(const std::string& path,
+                                                                       std::string_view kind = "NC program");
   static std::shared_ptr<const Source> from_text(std::string name, std::string_view text);
 
   static constexpr std::size_t kBehind = 16;
