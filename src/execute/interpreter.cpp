@@ -69,13 +69,12 @@ void Interpreter::read_block() {
       // A text that never starts has no end to miss either.
       finished_ = reader_.fault() == SyntaxFault::no_data_start;
       break;
-    case BlockReader::Result::end: {
-      const SourceSpan place{reader_.source()->text().size(), reader_.line(), 1, 0};
-      queue_.begin({place, blocks_, registers.program, registers.sequence_number});
+    case BlockReader::Result::end:
+      // The block is the last line that was read: the closing % or the last one of a text that just ends.
+      queue_.begin({block_.span, blocks_, registers.program, registers.sequence_number});
       rules_->end_of_data(state_, queue_);
       finished_ = true;
       break;
-    }
   }
 }
 

@@ -2,11 +2,11 @@
 
 const columns = [
   {key: 'line', title: 'Line', figure: true, text: (row) => String(row.line || '')},
-  {key: 'text', title: 'Block', width: '44%', text: (row) => row.text, sort: (row) => row.text, style: 'text'},
-  {key: 'what', title: 'What', width: '20%', text: (row) => row.what, sort: (row) => row.what},
-  {key: 'length', title: 'mm', width: '78px', figure: true, text: (row) => row.move < 0 ? '' : row.length.toFixed(3)},
-  {key: 'time', title: 's', width: '74px', figure: true, text: (row) => row.time > 0 ? duration(row.time) : ''},
-  {key: 'peak', title: 'mm/min', width: '74px', figure: true, text: (row) => row.move < 0 ? '' : row.peak.toFixed(1)},
+  {key: 'text', title: 'Block', width: 'auto', text: (row) => row.text, sort: (row) => row.text, style: 'text'},
+  {key: 'what', title: 'What', width: '124px', text: (row) => row.what, sort: (row) => row.what},
+  {key: 'length', title: 'mm', width: '84px', figure: true, text: (row) => row.move < 0 ? '' : row.length.toFixed(3)},
+  {key: 'time', title: 's', width: '68px', figure: true, text: (row) => row.time > 0 ? duration(row.time) : ''},
+  {key: 'peak', title: 'mm/min', width: '84px', figure: true, text: (row) => row.move < 0 ? '' : row.peak.toFixed(1)},
 ];
 
 const columnHelp = {length: 'Path length, mm', time: 'Time, s', peak: 'Peak feed, mm/min'};
@@ -216,7 +216,7 @@ class BlockTable {
       cell.textContent = column.text(row);
       if (column.figure) cell.className = 'figure';
       else if (column.style) cell.className = column.style;
-      if (!column.figure) cell.title = cell.textContent;
+      cell.title = cell.textContent;
       element.append(cell);
     }
     return element;
