@@ -17,12 +17,24 @@ if(KERF_FUZZ)
   target_compile_options(kerf_options INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
+# Most of a file's compile time is these headers. They are parsed once, in kerf_base, for all targets.
+function(kerf_precompiled_headers target)
+  if(target STREQUAL kerf_base)
+    target_precompile_headers(kerf_base PRIVATE
+      <algorithm> <array> <cmath> <cstdint> <fmt/format.h> <functional> <memory> <optional> <span> <string>
+      <string_view> <tl/expected.hpp> <variant> <vector>)
+  else()
+    target_precompile_headers(${target} REUSE_FROM kerf_base)
+  endif()
+endfunction()
+
 function(kerf_module name)
   cmake_parse_arguments(ARG "" "" "DEPENDS;LIBRARIES" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   if(sources)
     add_library(kerf_${name} STATIC ${sources})
     set(scope PUBLIC)
+    kerf_precompiled_headers(kerf_${name})
   else()
     add_library(kerf_${name} INTERFACE)
     set(scope INTERFACE)

@@ -92,6 +92,9 @@ class Promises {
  public:
   explicit Promises(std::string_view text) : text_(text) {}
 
+  /// Behind an alarm the path goes on from where the refused block was to end.
+  void recovered() { has_position_ = false; }
+
   void check(const Action& action) {
     if (const auto* alarm = std::get_if<kerf::Alarm>(&action.what)) check_alarm(*alarm);
     if (const auto* move = std::get_if<Move>(&action.what)) check_move(*move);
@@ -135,6 +138,7 @@ void walk_path(const Controller& controller, const std::shared_ptr<const kerf::S
     if (std::holds_alternative<kerf::Alarm>(action->what)) {
       ++alarms;
       interpreter.recover();
+      promises.recovered();
     }
   }
 }

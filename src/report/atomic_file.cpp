@@ -14,7 +14,7 @@
 namespace kerf {
 namespace {
 
-std::string remedy_for(int error) {
+std::string_view remedy_for(int error) {
   switch (error) {
     case ENOENT:
       return "create the folder first, or name one that exists";
@@ -42,8 +42,9 @@ std::string remedy_for(int error) {
 }
 
 tl::unexpected<FileError> failure(const std::string& path, int error) {
-  return tl::unexpected(
-      FileError{fmt::format("cannot write {}: {}", path, std::strerror(error)), remedy_for(error)});
+  FileError reason{fmt::format("cannot write {}: {}", path, std::strerror(error)), {}};
+  reason.remedy = remedy_for(error);
+  return tl::unexpected(std::move(reason));
 }
 
 /// The place a symbolic link leads to, or the path itself.
