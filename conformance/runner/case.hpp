@@ -3,6 +3,7 @@
 // conformance/README.md.
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -15,6 +16,7 @@ namespace kerf::conformance {
 struct Field {
   std::string key;
   std::variant<double, std::string> value;
+  std::optional<double> tolerance = std::nullopt;  ///< of this value; otherwise the case's
 };
 
 /// A line of `expect` or `after`: `cw X=10 radius=5`, `alarm no-feed line=3`, `program=1`. Observed events
@@ -32,7 +34,8 @@ std::string entry_text(const Entry& entry);
 
 /// One program and what it must do.
 struct ProgramSection {
-  std::string text;  ///< with line feeds; the runner's own % and M02 included
+  std::string text;                            ///< with line feeds; the runner's own % and M02 included
+  std::map<std::int32_t, std::string> others;  ///< programs it may call, by their numbers
   std::uint32_t line = 0;
   std::vector<Entry> expected;
   std::vector<Entry> facts;

@@ -21,6 +21,18 @@ bool is_ignored(std::string_view text) {
   return trimmed(text).empty() || text[0] == '#';
 }
 
+/// `#100=6`, the value of a macro variable.
+bool is_variable(std::string_view text) {
+  return text.size() > 1 && text[0] == '#' && text[1] >= '0' && text[1] <= '9';
+}
+
+/// `sub O002`: the number of a further program; 0: it is none.
+std::int32_t program_of(std::string_view section) {
+  constexpr std::string_view kSub = "sub O";
+  if (!starts_with(section, kSub)) return 0;
+  return static_cast<std::int32_t>(number_of(section.substr(kSub.size())).value_or(0.0));
+}
+
 /// The first `$name` of a text; empty: none.
 std::string unknown_name(std::string_view text) {
   for (std::size_t at = text.find('$'); at != std::string_view::npos; at = text.find('$', at + 1)) {
@@ -74,7 +86,7 @@ class CaseParser {
   const std::vector<FileError>& errors() const { return errors_; }
 
  private:
-  enum class Section : std::uint8_t { header, program, body, expect, after };
+  enum class Section : std::uint8_t { header, program, body, sub, expect, after };
 
   void fail(std::uint32_t line, std::string message) {
     errors_.push_back({case_.file, line, std::move(message)});
@@ -91,6 +103,12 @@ class CaseParser {
       if (is_body_) program.text = "%\n";
       return;
     }
+    if (const std::int32_t number = program_of(name); number > 0 && !case_.programs.empty()) {
+      section_ = Section::sub;
+      sub_ = &case_.programs.back().others[number];
+      *sub_ = "%\n";
+      return;
+    }
     if (name != "expect" && name != "after") return fail(line, fmt::format("unknown section '{}'", name));
     if (case_.programs.empty()) return fail(line, fmt::format("'--- {}' stands before any program", name));
     section_ = name == "expect" ? Section::expect : Section::after;
@@ -101,6 +119,7 @@ class CaseParser {
     if (case_.programs.empty()) return;
     ProgramSection& program = case_.programs.back();
     if (is_body_) program.text += "M02\n%\n";
+    for (auto& [number, text] : program.others) text += "%\n";
     const bool can_fail =
         !program.expected.empty() || !program.facts.empty() || case_.watched != default_watch();
     if (!expects_ || !can_fail) fail(program.line, "the program has no expectation");
@@ -112,12 +131,15 @@ class CaseParser {
       case Section::body:
         case_.programs.back().text += text + "\n";
         break;
+      case Section::sub:
+        *sub_ += text + "\n";
+        break;
       case Section::header:
         if (!is_ignored(text)) take_header(text, line);
         break;
       case Section::expect:
       case Section::after:
-        if (!is_ignored(text)) take_entry(text, line);
+        if (!is_ignored(text) || is_variable(text)) take_entry(text, line);
         break;
     }
   }
@@ -222,6 +244,7 @@ class CaseParser {
   Case case_;
   std::vector<FileError> errors_;
   Section section_ = Section::header;
+  std::string* sub_ = nullptr;  ///< text of the `sub` section being read
   bool is_body_ = false;
   bool expects_ = false;
 };

@@ -25,21 +25,22 @@ struct Form {
   std::string_view texts;    ///< keys of words
 };
 
-constexpr std::string_view kMoveNumbers = "axes m-axes c-axes s-axes center-axes F radius sweep line n";
+constexpr std::string_view kMoveNumbers =
+    "axes m-axes c-axes s-axes center-axes F radius sweep line n program";
 
 constexpr std::array kEvents{
     Form{"rapid", "", 0, 0, kMoveNumbers, ""},
     Form{"linear", "", 0, 0, kMoveNumbers, ""},
     Form{"cw", "", 0, 0, kMoveNumbers, "plane"},
     Form{"ccw", "", 0, 0, kMoveNumbers, "plane"},
-    Form{"dwell", "", 0, 0, "s line n", ""},
-    Form{"spindle", "cw|ccw|off|orient", 1, 1, "rpm line n", ""},
-    Form{"tool", "#", 1, 1, "line n", ""},
-    Form{"m", "#", 1, 1, "line n", ""},
-    Form{"stop", "optional", 0, 1, "line n", ""},
-    Form{"end", "", 0, 0, "line n", ""},
-    Form{"alarm", "*", 0, 1, "line column n", ""},
-    Form{"warning", "*", 0, 1, "line column n", ""},
+    Form{"dwell", "", 0, 0, "s line n program", ""},
+    Form{"spindle", "cw|ccw|off|orient", 1, 1, "rpm line n program", ""},
+    Form{"tool", "#", 1, 1, "line n program", ""},
+    Form{"m", "#", 1, 1, "line n program", ""},
+    Form{"stop", "optional", 0, 1, "line n program", ""},
+    Form{"end", "", 0, 0, "line n program", ""},
+    Form{"alarm", "*", 0, 1, "line column n program", ""},
+    Form{"warning", "*", 0, 1, "line column n program", ""},
     Form{"refused", "*", 0, 1, "", ""},
 };
 
@@ -58,11 +59,22 @@ constexpr std::array kFacts{
     Form{"length", "", 0, 0, "#", ""},
     Form{"program", "", 0, 0, "program", ""},
     Form{"n", "", 0, 0, "n", ""},
+    Form{"#", "", 0, 0, "#", ""},
     Form{"time", "", 0, 0, "time", ""},
     Form{"motion_time", "", 0, 0, "motion_time", ""},
     Form{"at", "", 0, 0, "t axes", ""},
     Form{"same", "", 0, 0, "", ""},
 };
+
+/// Half a unit of the last decimal written, or the rounding of doubles for a whole number.
+double tolerance_as_written(std::string_view number) {
+  constexpr double kRounding = 1e-9;
+  const std::size_t point = number.find('.');
+  if (point == std::string_view::npos) return kRounding;
+  double unit = 1.0;
+  for (std::size_t i = point + 1; i < number.size(); ++i) unit /= 10.0;
+  return unit / 2.0 + kRounding;
+}
 
 bool is_integer(std::string_view text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
@@ -128,7 +140,7 @@ std::string entry_text(const Entry& entry) {
   for (const Field& field : entry.fields) {
     const double* number = std::get_if<double>(&field.value);
     const std::string value = number != nullptr ? number_text(*number) : std::get<std::string>(field.value);
-    text += fmt::format("{}{}={}", text.empty() ? "" : " ", field.key, value);
+    text += fmt::format("{}{}={}", text.empty() || entry.name == "#" ? "" : " ", field.key, value);
   }
   return text;
 }
@@ -146,14 +158,17 @@ tl::expected<Entry, std::string> parse_entry(std::string_view text, std::uint32_
         entry.words.push_back(word);
       continue;
     }
-    const std::string key = word.substr(0, equals);
+    const bool variable = word[0] == '#';
+    const std::string key = word.substr(variable ? 1 : 0, equals - (variable ? 1 : 0));
     const std::string value = word.substr(equals + 1);
     if (key.empty() || value.empty()) return tl::unexpected(fmt::format("'{}' is no KEY=VALUE", word));
     if (entry.find(key) != nullptr) return tl::unexpected(fmt::format("'{}' is given twice", key));
-    if (entry.name.empty()) entry.name = key;
+    if (entry.name.empty()) entry.name = variable ? "#" : key;
     const std::optional<double> number = number_of(value);
+    std::optional<double> tolerance;
+    if (variable) tolerance = tolerance_as_written(value);
     if (number)
-      entry.fields.push_back({key, *number});
+      entry.fields.push_back({key, *number, tolerance});
     else
       entry.fields.push_back({key, value});
   }

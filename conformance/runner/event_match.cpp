@@ -11,7 +11,7 @@ namespace kerf::conformance {
 namespace {
 
 bool is_count(std::string_view key) {
-  return key == "line" || key == "column" || key == "n";
+  return key == "line" || key == "column" || key == "n" || key == "program";
 }
 
 bool field_fits(const Field& expected, const Field* observed, double tolerance) {
@@ -19,7 +19,7 @@ bool field_fits(const Field& expected, const Field* observed, double tolerance) 
   if (const auto* text = std::get_if<std::string>(&expected.value)) {
     return *text == std::get<std::string>(observed->value);
   }
-  const double allowed = is_count(expected.key) ? 0.0 : tolerance;
+  const double allowed = is_count(expected.key) ? 0.0 : expected.tolerance.value_or(tolerance);
   return std::abs(std::get<double>(expected.value) - std::get<double>(observed->value)) <= allowed;
 }
 

@@ -63,6 +63,8 @@ class Inspector {
       add_offset(fact, found);
     else if (fact.name == "modal")
       add_modal(found);
+    else if (fact.name == "#")
+      add_variables(fact, found);
     else if (!add_position(found) && !add_tables(found))
       add_number(found);
     return found;
@@ -130,10 +132,18 @@ class Inspector {
     add_axes(found, axes(), run_.state.tables.work_offsets[offset_index(fact.words.front())]);
   }
 
+  void add_variables(const Entry& fact, Entry& found) const {
+    for (const Field& field : fact.fields) {
+      const double* value = run_.state.variables.find(std::atof(field.key.c_str()));
+      if (value != nullptr) found.fields.push_back({field.key, *value});
+    }
+  }
+
   void add_modal(Entry& found) const {
     for (std::size_t group = 0; group < kGroupCount; ++group) {
-      if (static_cast<Group>(group) == Group::one_shot) continue;
-      found.words.push_back(code_name(registers().modal[static_cast<Group>(group)]));
+      const CodeNumber number = registers().modal[static_cast<Group>(group)];
+      if (static_cast<Group>(group) == Group::one_shot || number == kNoCode) continue;
+      found.words.push_back(code_name(number));
     }
   }
 

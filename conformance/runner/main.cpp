@@ -48,6 +48,15 @@ struct Suite {
   std::vector<FileError> errors;
 };
 
+/// The settings that all cases of a dialect start from: the lines KEY=VALUE of its file `machine.set`.
+std::vector<std::string> machine_of(const fs::path& folder) {
+  std::vector<std::string> settings;
+  for (const TextLine& line : lines_of(read_file((folder / "machine.set").string()).value_or(""))) {
+    if (!line.text.empty() && line.text[0] != '#') settings.push_back(line.text);
+  }
+  return settings;
+}
+
 Suite read_suite(const fs::path& directory) {
   Suite suite;
   const auto fail = [&](const FileError& error) { suite.errors.push_back(error); };
@@ -68,7 +77,11 @@ Suite read_suite(const fs::path& directory) {
   for (const std::string& file : files_below(directory / "cases", ".case")) {
     const std::string dialect = fs::relative(file, directory / "cases").begin()->string();
     CaseFile cases = parse_cases(file, read_file(file).value_or(""));
-    for (Case& test : cases.cases) suite.cases.emplace_back(dialect, std::move(test));
+    const std::vector<std::string> machine = machine_of(directory / "cases" / dialect);
+    for (Case& test : cases.cases) {
+      test.settings.insert(test.settings.begin(), machine.begin(), machine.end());
+      suite.cases.emplace_back(dialect, std::move(test));
+    }
     for (const FileError& error : cases.errors) fail(error);
   }
   for (const std::string& file : files_below(directory.parent_path() / "tests", ".cpp")) {

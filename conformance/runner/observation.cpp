@@ -125,6 +125,9 @@ std::optional<Entry> event_of(const Action& action, AxisSet axes, const FeedPoli
   const SourceSpan& span = alarm != nullptr ? alarm->span : action.origin.span;
   event.fields.push_back({"line", static_cast<double>(span.line)});
   if (alarm != nullptr) event.fields.push_back({"column", static_cast<double>(span.column)});
+  if (action.origin.program >= 0) {
+    event.fields.push_back({"program", static_cast<double>(action.origin.program)});
+  }
   if (action.origin.sequence_number >= 0) {
     event.fields.push_back({"n", static_cast<double>(action.origin.sequence_number)});
   }

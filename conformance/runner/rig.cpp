@@ -45,10 +45,17 @@ tl::expected<Rig, Entry> Rig::make(const Case& test, const std::string& dialect)
 }
 
 Rig::Rig(Controller controller, bool recover) : controller_(std::move(controller)), recover_(recover) {
+  others_ = std::make_shared<std::map<std::int32_t, std::string>>();
+  controller_.interpreter_options.programs =
+      [others = others_](std::int32_t number) -> std::shared_ptr<const Source> {
+    const auto other = others->find(number);
+    return other == others->end() ? nullptr : Source::from_text("case", other->second);
+  };
   for (const Axis axis : controller_.machine.axes) position_[axis] = controller_.machine[axis].start;
 }
 
-ProgramRun Rig::run(const std::string& text) {
+ProgramRun Rig::run(const ProgramSection& program, const std::string& text) {
+  *others_ = program.others;
   auto source = Source::from_text("case", text);
   if (interpreter_) {
     interpreter_->load(std::move(source), position_);

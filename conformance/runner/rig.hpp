@@ -31,7 +31,8 @@ class Rig {
   static tl::expected<Rig, Entry> make(const Case& test, const std::string& dialect);
 
   /// Runs the next program to its end or to its first alarm; with the case's `recover` to its end.
-  ProgramRun run(const std::string& text);
+  /// `text` is its text with the line ends the case asks for; `program` holds those it may call.
+  ProgramRun run(const ProgramSection& program, const std::string& text);
 
   const Controller& controller() const { return controller_; }
 
@@ -42,6 +43,8 @@ class Rig {
   bool recover_ = false;
   AxisVector position_;
   Spindle spindle_;
+  /// The programs that may be called now; shared with the interpreter, which outlives moves of the rig.
+  std::shared_ptr<std::map<std::int32_t, std::string>> others_;
   std::unique_ptr<Interpreter> interpreter_;  ///< from the first program on
 };
 

@@ -40,7 +40,7 @@ std::string run_case(const Case& test, const std::string& dialect) {
   std::string text;
   std::optional<ProgramRun> before;
   for (const ProgramSection& section : test.programs) {
-    ProgramRun run = rig->run(with_line_ends(section.text, test.line_end));
+    ProgramRun run = rig->run(section, with_line_ends(section.text, test.line_end));
     const std::string events =
         event_difference(section.expected, watched_events(run.events, test.watched), test.tolerance);
     if (!events.empty()) text += heading(test, section, "events") + events;

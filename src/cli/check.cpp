@@ -32,7 +32,8 @@ Counts check_program(const Prepared& prepared, const CheckOptions& options, Resu
     if (alarm == nullptr) continue;
     const bool stops = alarm->kind->severity == Severity::alarm;
     (stops ? counts.alarms : counts.warnings) += 1;
-    append_diagnostic(out.text(), source.name(), source.text(), *alarm, style);
+    const auto place = job->source_of(*action);
+    append_diagnostic(out.text(), place->name(), place->text(), *alarm, style);
     out.text() += '\n';
     out.overflow();
     if (counts.alarms >= static_cast<std::uint64_t>(options.max_alarms)) {

@@ -56,6 +56,16 @@ std::optional<std::string> not_a_program(const Source& source) {
   return std::nullopt;
 }
 
+/// The other programs of the store: O001.gcd to O256.gcd in the folder.
+ProgramTexts programs_in(const std::filesystem::path& folder) {
+  return [folder](std::int32_t number) -> std::shared_ptr<const Source> {
+    const std::filesystem::path file = folder / fmt::format("O{:03}.gcd", number);
+    if (!std::filesystem::exists(file)) return nullptr;
+    auto source = Source::open(file.string());
+    return source ? *source : nullptr;
+  };
+}
+
 }  // namespace
 
 std::optional<Prepared> prepare(const std::string& file, const CommonOptions& options) {
@@ -75,6 +85,9 @@ std::optional<Prepared> prepare(const std::string& file, const CommonOptions& op
   }
   auto controller = make(options, file, (*source)->text());
   if (!controller) return std::nullopt;
+  controller->interpreter_options.programs =
+      programs_in(options.program_dir ? std::filesystem::path(*options.program_dir)
+                                      : std::filesystem::path(file).parent_path());
   if (options.verbose) {
     fmt::print(stderr, "kerf: {} as {} on machine '{}'\n", file, controller->dialect->title,
                controller->machine.name);

@@ -25,6 +25,10 @@ class Job {
   /// After an alarm: go on with the next block.
   void recover() { interpreter_.recover(); }
   const Interpreter& interpreter() const { return interpreter_; }
+  /// The text an action came from: the program itself or one it called.
+  std::shared_ptr<const Source> source_of(const Action& action) const {
+    return interpreter_.source_of(action.origin.program);
+  }
 
  private:
   Interpreter interpreter_;

@@ -47,10 +47,11 @@ PathCounts pull(Job& job, const Source& source, Visit visit) {
   return counts;
 }
 
-void report_alarm(const Action& action, const Source& source, const PathOptions& options) {
+void report_alarm(const Action& action, const Job& job, const PathOptions& options) {
   const auto* alarm = std::get_if<Alarm>(&action.what);
   if (alarm == nullptr) return;
-  const std::string text = diagnostic_text(source.name(), source.text(), *alarm,
+  const auto source = job.source_of(action);
+  const std::string text = diagnostic_text(source->name(), source->text(), *alarm,
                                            style_of_stream(STDERR_FILENO, options.common.color));
   fmt::print(stderr, "{}", text);
 }
@@ -71,7 +72,7 @@ PathCounts print_path(const PathOptions& options, const Prepared& prepared, Job&
   return pull(job, source, [&](const Action& action) {
     table.write(action, out.text());
     out.overflow();
-    report_alarm(action, source, options);
+    report_alarm(action, job, options);
   });
 }
 
@@ -84,8 +85,8 @@ int path_command(const PathOptions& options) {
   const auto job = std::make_unique<Job>(prepared->controller, prepared->source);
   PathCounts counts;
   if (options.quiet) {
-    counts = pull(*job, *prepared->source,
-                  [&](const Action& action) { report_alarm(action, *prepared->source, options); });
+    counts =
+        pull(*job, *prepared->source, [&](const Action& action) { report_alarm(action, *job, options); });
     out.text() += fmt::format("blocks {}\nmoves {}\nrapid {}\narcs {}\nwarnings {}\nalarms {}\n",
                               job->interpreter().blocks(), counts.moves, counts.rapid, counts.arcs,
                               counts.warnings, counts.alarms);

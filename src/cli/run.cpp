@@ -140,8 +140,17 @@ bool write_whole(AtomicFile& file, std::string_view text) {
   return true;
 }
 
-RunRecord play(const RunCommandOptions& options, const Prepared& prepared, Outputs& outputs) {
-  const auto job = std::make_unique<Job>(prepared.controller, prepared.source);
+/// Prints an alarm when it comes, with the text of the program it came from.
+void report_alarm(const Action& action, const Job& job, const RunCommandOptions& options) {
+  const auto* alarm = std::get_if<Alarm>(&action.what);
+  if (alarm == nullptr) return;
+  const auto source = job.source_of(action);
+  fmt::print(stderr, "{}\n",
+             diagnostic_text(source->name(), source->text(), *alarm,
+                             style_of_stream(STDERR_FILENO, options.common.color)));
+}
+
+RunRecord play(const RunCommandOptions& options, const Prepared& prepared, Job& job, Outputs& outputs) {
   ProgressLine progress;
   Pace pace;
   double share = 0.0;
@@ -161,15 +170,17 @@ RunRecord play(const RunCommandOptions& options, const Prepared& prepared, Outpu
     return Interrupt::signal() == 0;
   };
   const auto next = [&]() -> const Action* {
-    const Action* action = job->next();
-    if (action != nullptr && (++seen & 0xFFU) == 0) share = share_read(*prepared.source, *action);
+    const Action* action = job.next();
+    if (action == nullptr) return nullptr;
+    if ((++seen & 0xFFU) == 0) share = share_read(*prepared.source, *action);
+    report_alarm(*action, job, options);
     return action;
   };
   return run(next, prepared.controller.machine, prepared.controller.feed_policy, run_options);
 }
 
-bool write_pictures(const RunCommandOptions& options, const Prepared& prepared, const RunRecord& record,
-                    Outputs& outputs) {
+bool write_pictures(const RunCommandOptions& options, const Prepared& prepared, const Job& job,
+                    const RunRecord& record, Outputs& outputs) {
   const Machine& machine = prepared.controller.machine;
   const std::string maker = fmt::format("kerf {}", version());
   bool good = true;
@@ -177,14 +188,15 @@ bool write_pictures(const RunCommandOptions& options, const Prepared& prepared, 
     good = write_whole(*outputs.plot, svg_plot(record, machine, {options.file, maker})) && good;
   }
   if (outputs.report) {
-    const ReportInput input{{},
-                            options.file,
-                            std::string(prepared.controller.dialect->title),
-                            maker,
-                            prepared.source->text(),
-                            {},
-                            record,
-                            machine};
+    const ReportInput input{
+        {},
+        options.file,
+        std::string(prepared.controller.dialect->title),
+        maker,
+        prepared.source->text(),
+        [&job](std::int32_t program) { return job.interpreter().source_of(program)->text(); },
+        record,
+        machine};
     good = write_whole(*outputs.report, html_report(input)) && good;
   }
   return good;
@@ -206,18 +218,14 @@ int run_command(const RunCommandOptions& options) {
   Outputs outputs;
   if (!open_outputs(options, prepared->controller.machine, outputs)) return kExitUsage;
   const Interrupt interrupt;
-  const RunRecord record = play(options, *prepared, outputs);
+  const auto job = std::make_unique<Job>(prepared->controller, prepared->source);
+  const RunRecord record = play(options, *prepared, *job, outputs);
   if (Interrupt::signal() != 0) {
     print_error("interrupted; no file was written");
     return kExitSignal + Interrupt::signal();
   }
 
   ResultStream out;
-  for (const Alarm& alarm : record.summary.alarms) {
-    fmt::print(stderr, "{}\n",
-               diagnostic_text(prepared->source->name(), prepared->source->text(), alarm,
-                               style_of_stream(STDERR_FILENO, options.common.color)));
-  }
   if (record.summary.stalled) {
     print_error("the run ended at a move whose feed is 0: it would never end",
                 "raise the feed override or the lowest feed rate");
@@ -228,7 +236,7 @@ int run_command(const RunCommandOptions& options) {
     append_summary(out.text(), record.summary, prepared->controller.machine);
   }
   out.flush();
-  bool good = write_pictures(options, *prepared, record, outputs);
+  bool good = write_pictures(options, *prepared, *job, record, outputs);
   if (outputs.trace) good = outputs.trace->finish() && good;
   if (!good || !out.good()) return kExitUsage;
   return status_of(record.summary);

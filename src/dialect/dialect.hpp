@@ -25,8 +25,8 @@ struct Dialect {
   std::span<const CodeRow> codes;
   std::span<const Parameter> parameters;      ///< its own machine-file keys
   std::span<const DefaultOverride> defaults;  ///< its default machine
-  std::string_view optional_stop_key;         ///< machine-file key that `--optional-stop` switches on
-  std::string_view block_skip_key;            ///< machine-file key that `--block-skip` switches on
+  std::string_view optional_stop_key;  ///< machine-file key that `--optional-stop` switches on; empty: none
+  std::string_view block_skip_key;     ///< machine-file key that `--block-skip` switches on; empty: none
 
   /// Settings of its own that do not go together.
   std::vector<SettingsError> (*contradictions)(const Settings&) = nullptr;
@@ -41,8 +41,8 @@ std::span<const Dialect> dialects();
 /// The dialect of that name, or null.
 const Dialect* find_dialect(std::string_view name);
 
-/// The dialect a program is written in, judged by its name and its first block: DGSHAPE when that is %. A
-/// text that fits no dialect gets the first one, whose alarms then say what is wrong.
+/// The dialect a program is written in, judged by its name: MELSEC for .gcd, otherwise DGSHAPE, whose alarms
+/// say what is wrong with a text that is no program.
 const Dialect& detect_dialect(std::string_view file_name, std::string_view text);
 
 /// Every machine-file key of a dialect.

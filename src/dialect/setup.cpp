@@ -52,8 +52,11 @@ tl::expected<Controller, std::vector<SettingsError>> make_controller(const Setup
     }
   }
   std::vector<std::string> assignments = options.assignments;
-  if (options.optional_stop) assignments.push_back(fmt::format("{}=true", (*dialect)->optional_stop_key));
-  if (options.block_skip) assignments.push_back(fmt::format("{}=true", (*dialect)->block_skip_key));
+  const Dialect& chosen = **dialect;
+  if (options.optional_stop && !chosen.optional_stop_key.empty())
+    assignments.push_back(fmt::format("{}=true", (*dialect)->optional_stop_key));
+  if (options.block_skip && !chosen.block_skip_key.empty())
+    assignments.push_back(fmt::format("{}=true", (*dialect)->block_skip_key));
   for (const std::string& assignment : assignments) {
     if (auto set = apply_assignment(settings, assignment); !set) errors.push_back(std::move(set.error()));
   }
@@ -66,7 +69,8 @@ tl::expected<Controller, std::vector<SettingsError>> make_controller(const Setup
   auto rules = (*dialect)->rules(settings, *machine);
   const FeedPolicy feed = (*dialect)->feed_policy(settings);
   const ToolpathPolicy toolpath = (*dialect)->toolpath_policy(settings);
-  const InterpreterOptions interpreter{settings.boolean((*dialect)->block_skip_key)};
+  InterpreterOptions interpreter;
+  interpreter.block_skip = !chosen.block_skip_key.empty() && settings.boolean(chosen.block_skip_key);
   return Controller{*dialect, std::move(settings), std::move(*machine), std::move(rules), feed,
                     toolpath, interpreter};
 }

@@ -67,7 +67,8 @@ struct RotaryFeed {
 
 struct Move {
   MoveMode mode = MoveMode::rapid;
-  bool axis_words = true;  ///< the block names an axis of the plane, even when the distance is zero
+  bool exact_stop = false;  ///< the axes come to rest at the end
+  bool axis_words = true;   ///< the block names an axis of the plane, even when the distance is zero
   Plane plane = kPlaneXY;
   RadiusCompensation compensation;
   RotaryFeed rotary_feed;

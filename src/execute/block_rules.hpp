@@ -1,8 +1,13 @@
 #pragma once
 // What a dialect adds to the interpreter: how one block acts on the state.
 
+#include <functional>
+#include <memory>
+#include <variant>
+
 #include "execute/action_queue.hpp"
 #include "execute/drilling_cycle.hpp"
+#include "execute/program_flow.hpp"
 #include "execute/state.hpp"
 #include "syntax/block.hpp"
 #include "syntax/block_reader.hpp"
@@ -16,11 +21,25 @@ enum class BlockOutcome : std::uint8_t {
   ended,  ///< the program is over
 };
 
+/// Where the blocks come from: a text without jumps is read as it is executed, any other is compiled first.
+using BlockFeed = std::variant<BlockReader, ProgramFlow>;
+
+/// The text of a further program by its number, null when there is none.
+using ProgramTexts = std::function<std::shared_ptr<const Source>(std::int32_t number)>;
+
+/// What a block sets going besides its own actions.
+struct BlockEffects {
+  DrillingCycle cycle;
+  FlowRequest flow;
+};
+
 /// Immutable once made, so that copies of an interpreter can share it.
 class BlockRules {
  public:
   virtual ~BlockRules() = default;
 
+  /// Makes the text ready to be executed block by block. `others` finds the programs it may call.
+  virtual BlockFeed open(std::shared_ptr<const Source> source, ProgramTexts others) const = 0;
   /// Tables and registers before the first program, from the machine file.
   virtual State initial_state() const = 0;
   /// What the start of a program resets.
@@ -28,7 +47,7 @@ class BlockRules {
   /// Acts on one block. The queue has begun with the block's place and the program and sequence number in
   /// force; the rules renew these when the block changes them.
   virtual BlockOutcome execute(const Block& block, State& state, ActionQueue& queue,
-                               DrillingCycle& cycle) const = 0;
+                               BlockEffects& effects) const = 0;
   /// A check goes on behind a block that execute() refused: takes over what of it is beyond doubt (modal
   /// codes, the end of its move), so that the blocks behind it are judged as if it had been right.
   virtual void take_over(const Block& block, State& state, ActionQueue& queue) const = 0;

@@ -7,21 +7,26 @@ namespace kerf {
 Interpreter::Interpreter(std::shared_ptr<const BlockRules> rules, std::shared_ptr<const Source> source,
                          InterpreterOptions options)
     : rules_(std::move(rules)),
-      reader_(std::move(source)),
-      options_(options),
+      feed_(rules_->open(std::move(source), options.programs)),
+      options_(std::move(options)),
       state_(rules_->initial_state()) {
   rules_->begin_program(state_);
 }
 
 void Interpreter::load(std::shared_ptr<const Source> source, const AxisVector& position) {
-  reader_ = BlockReader(std::move(source));
+  feed_ = rules_->open(std::move(source), options_.programs);
   queue_.clear();
-  cycle_ = {};
+  effects_ = {};
   blocks_ = 0;
   finished_ = stopped_ = refused_ = false;
   state_.registers.position = position;
   state_.registers.length_offset = state_.registers.length_applied = 0.0;
   rules_->begin_program(state_);
+}
+
+std::shared_ptr<const Source> Interpreter::source_of(std::int32_t program) const {
+  if (const auto* flow = std::get_if<ProgramFlow>(&feed_)) return flow->source_of(program);
+  return std::get<BlockReader>(feed_).source();
 }
 
 const Action* Interpreter::next() {
@@ -33,12 +38,14 @@ const Action* Interpreter::next() {
       return &action;
     }
     if (stopped_) return nullptr;
-    if (cycle_.running()) {
-      cycle_.step(state_.registers, rules_->work_origin(state_), queue_);
+    if (effects_.cycle.running()) {
+      effects_.cycle.step(state_.registers, rules_->work_origin(state_), queue_);
     } else if (finished_) {
       return nullptr;
+    } else if (auto* reader = std::get_if<BlockReader>(&feed_)) {
+      read_block(*reader);
     } else {
-      read_block();
+      read_block(std::get<ProgramFlow>(feed_));
     }
   }
 }
@@ -52,30 +59,62 @@ void Interpreter::recover() {
   rules_->take_over(block_, state_, queue_);
 }
 
-void Interpreter::read_block() {
+void Interpreter::execute_block() {
   const Registers& registers = state_.registers;
-  BlockOutcome outcome = BlockOutcome::done;
+  queue_.begin({block_.span, ++blocks_, registers.program, registers.sequence_number});
+  const BlockOutcome outcome = rules_->execute(block_, state_, queue_, effects_);
+  finished_ = outcome == BlockOutcome::ended;
+  refused_ = outcome == BlockOutcome::alarm;
+}
+
+void Interpreter::reach_end(const SourceSpan& place) {
+  queue_.begin({place, blocks_, state_.registers.program, state_.registers.sequence_number});
+  rules_->end_of_data(state_, queue_);
+  finished_ = true;
+}
+
+void Interpreter::read_block(BlockReader& reader) {
   refused_ = false;
-  switch (reader_.next(block_, options_.block_skip)) {
+  switch (reader.next(block_, options_.block_skip)) {
     case BlockReader::Result::block:
-      queue_.begin({block_.span, ++blocks_, registers.program, registers.sequence_number});
-      outcome = rules_->execute(block_, state_, queue_, cycle_);
-      finished_ = outcome == BlockOutcome::ended;
-      refused_ = outcome == BlockOutcome::alarm;
+      execute_block();
       break;
     case BlockReader::Result::fault:
-      queue_.begin({reader_.fault_span(), blocks_, registers.program, registers.sequence_number});
-      queue_.push<Alarm>() = rules_->syntax_alarm(reader_.fault(), reader_.fault_span());
+      queue_.begin(
+          {reader.fault_span(), blocks_, state_.registers.program, state_.registers.sequence_number});
+      queue_.push<Alarm>() = rules_->syntax_alarm(reader.fault(), reader.fault_span());
       // A text that never starts has no end to miss either.
-      finished_ = reader_.fault() == SyntaxFault::no_data_start;
+      finished_ = reader.fault() == SyntaxFault::no_data_start;
       break;
     case BlockReader::Result::end:
       // The block is the last line that was read: the closing % or the last one of a text that just ends.
-      queue_.begin({block_.span, blocks_, registers.program, registers.sequence_number});
-      rules_->end_of_data(state_, queue_);
-      finished_ = true;
+      reach_end(block_.span);
       break;
   }
+}
+
+void Interpreter::read_block(ProgramFlow& flow) {
+  refused_ = false;
+  FlowRequest& request = effects_.flow;
+  auto result = ProgramFlow::Result::block;
+  if (request.kind != FlowRequest::Kind::none) {
+    result = flow.carry_out(request, state_.variables);
+    request.kind = FlowRequest::Kind::none;
+  }
+  if (result == ProgramFlow::Result::block) result = flow.next(block_, state_.variables);
+  Registers& registers = state_.registers;
+  registers.program = flow.program().number;
+  if (flow.sequence_number() >= 0) registers.sequence_number = flow.sequence_number();
+  if (result == ProgramFlow::Result::block) {
+    execute_block();
+    if (finished_) result = flow.finish();
+    if (result == ProgramFlow::Result::fault) queue_.roll_back();
+  } else if (result == ProgramFlow::Result::end) {
+    reach_end(flow.span());
+  }
+  if (result != ProgramFlow::Result::fault) return;
+  queue_.begin({flow.span(), blocks_, registers.program, registers.sequence_number});
+  queue_.push<Alarm>() = {flow.fault().kind, flow.fault().span, {}, {}};
 }
 
 }  // namespace kerf

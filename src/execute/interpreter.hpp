@@ -12,10 +12,12 @@
 namespace kerf {
 
 struct InterpreterOptions {
-  bool block_skip = false;  ///< leave out blocks marked with a slash
+  bool block_skip = false;                                       ///< leave out blocks marked with a slash
+  ProgramTexts programs = [](std::int32_t) { return nullptr; };  ///< what may be called
 };
 
-/// A value: a copy is a restart point. Allocates nothing once it runs.
+/// A value: a copy is a restart point. Allocates nothing once it runs, except to read a program called for
+/// the first time.
 class Interpreter {
  public:
   Interpreter(std::shared_ptr<const BlockRules> rules, std::shared_ptr<const Source> source,
@@ -34,20 +36,24 @@ class Interpreter {
 
   const State& state() const { return state_; }
   const BlockRules& rules() const { return *rules_; }
-  const std::shared_ptr<const Source>& source() const { return reader_.source(); }
+  /// The text of a program by its number; of the only one when the dialect calls none.
+  std::shared_ptr<const Source> source_of(std::int32_t program) const;
   /// Blocks executed so far.
   std::uint32_t blocks() const { return blocks_; }
 
  private:
-  void read_block();
+  void read_block(BlockReader& reader);
+  void read_block(ProgramFlow& flow);
+  void execute_block();
+  void reach_end(const SourceSpan& place);
 
   std::shared_ptr<const BlockRules> rules_;
-  BlockReader reader_;
+  BlockFeed feed_;
   InterpreterOptions options_;
   State state_;
   Block block_;
   ActionQueue queue_;
-  DrillingCycle cycle_;
+  BlockEffects effects_;
   std::uint32_t blocks_ = 0;
   bool finished_ = false;
   bool refused_ = false;  ///< the block read last gave an alarm

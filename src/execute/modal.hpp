@@ -19,9 +19,14 @@ enum class Group : std::uint8_t {
   work_system,
   fixed_cycle,
   return_level,
+  feed_mode,
+  path_mode,  ///< exact stop, cutting mode and the like
+  normal_line,
+  rotation,
+  polar,
 };
 
-inline constexpr std::size_t kGroupCount = 11;
+inline constexpr std::size_t kGroupCount = 16;
 
 /// Ten times the number of a code, so that G40.1 is 401.
 using CodeNumber = std::uint16_t;
@@ -30,9 +35,13 @@ constexpr CodeNumber code(int whole, int tenth = 0) {
   return static_cast<CodeNumber>(whole * 10 + tenth);
 }
 
+/// Of a group that the dialect does not have.
+inline constexpr CodeNumber kNoCode = 0xFFFF;
+
 /// The G code in force in each group.
 class ModalState {
  public:
+  constexpr ModalState() { codes_.fill(kNoCode); }
   CodeNumber operator[](Group group) const { return codes_[static_cast<std::size_t>(group)]; }
   void set(Group group, CodeNumber number) { codes_[static_cast<std::size_t>(group)] = number; }
 

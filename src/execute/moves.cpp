@@ -6,6 +6,7 @@ Move& push_straight(MoveMode mode, const AxisVector& target, Registers& register
                     const AxisVector& work_origin, ActionQueue& queue) {
   Move& move = queue.push_unset_move();
   move.mode = mode;
+  move.exact_stop = false;
   move.axis_words = true;
   move.plane = kPlaneXY;
   move.compensation = {};

@@ -7,6 +7,7 @@
 
 #include "base/axis.hpp"
 #include "execute/action.hpp"
+#include "execute/macro_variables.hpp"
 #include "execute/modal.hpp"
 #include "machine/machine.hpp"
 
@@ -68,13 +69,16 @@ struct Registers {
 /// Tables that a program may overwrite.
 struct Tables {
   std::array<AxisVector, kWorkOffsetCount> work_offsets;  ///< EXT, then G54 to G59
-  std::vector<double> radius;                             ///< mm, by D number; [0] is 0
-  std::vector<double> length;                             ///< mm, by H number; [0] is 0
+  std::array<AxisVector, kWorkOffsetCount>
+      local_offsets;           ///< local coordinate systems in G54 to G59 ([0] unused)
+  std::vector<double> radius;  ///< mm, by D number; [0] is 0
+  std::vector<double> length;  ///< mm, by H number; [0] is 0
 };
 
 struct State {
   Registers registers;
   Tables tables;
+  MacroVariables variables;
 };
 
 }  // namespace kerf

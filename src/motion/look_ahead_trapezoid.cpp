@@ -99,7 +99,7 @@ void LookAheadTrapezoid::push_move(const Move& move, Entry& entry, PlanNode& nod
     node.junction = junction_speed_squared(last_tangent_, start_tangent(path),
                                            0.5 * (last_length_ + path.length), junction_deviation_, limits_);
   }
-  from_rest_ = path.rapid;
+  from_rest_ = path.rapid || move.exact_stop;
   last_tangent_ = end_tangent(path);
   last_length_ = path.length;
 }

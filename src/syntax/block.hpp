@@ -16,10 +16,15 @@ struct Decimal {
   bool overflow = false;  ///< more than 18 significant digits in front of the point
 };
 
-/// An address letter and a number.
+/// An address letter and a number. In a language with expressions the value may be computed when the block is
+/// executed; `number` then means nothing.
 struct Word {
-  char address = 0;  ///< upper case
+  char address = 0;              ///< upper case
+  bool comma = false;            ///< a comma stands in front: ,F
+  bool is_computed = false;      ///< `computed` is the value
+  std::int32_t expression = -1;  ///< in a compiled program: which expression gives the value; -1: none
   Decimal number;
+  double computed = 0.0;
   std::uint32_t column = 0;  ///< of the address, from 1
   std::uint32_t length = 0;  ///< bytes, address included
 };

@@ -35,6 +35,10 @@ double effective_rpm(const ControllerSettings& settings, double programmed) {
 Rules::Rules(const ControllerSettings& settings, const Machine& machine)
     : settings_(settings), machine_(machine), travel_(machine) {}
 
+BlockFeed Rules::open(std::shared_ptr<const Source> source, ProgramTexts) const {
+  return BlockReader(std::move(source));
+}
+
 State Rules::initial_state() const {
   State state;
   for (Axis axis : machine_.axes) state.registers.position[axis] = machine_[axis].start;
@@ -70,9 +74,9 @@ void Rules::begin_program(State& state) const {
 }
 
 BlockOutcome Rules::execute(const Block& block, State& state, ActionQueue& queue,
-                            DrillingCycle& cycle) const {
+                            BlockEffects& effects) const {
   if (run_coordinate_block(*this, block, state, queue)) return BlockOutcome::done;
-  return execute_whole(block, state, queue, cycle);
+  return execute_whole(block, state, queue, effects.cycle);
 }
 
 BlockOutcome Rules::execute_whole(const Block& block, State& state, ActionQueue& queue,

@@ -18,10 +18,11 @@ class Rules final : public BlockRules {
  public:
   Rules(const ControllerSettings& settings, const Machine& machine);
 
+  BlockFeed open(std::shared_ptr<const Source> source, ProgramTexts others) const override;
   State initial_state() const override;
   void begin_program(State& state) const override;
   BlockOutcome execute(const Block& block, State& state, ActionQueue& queue,
-                       DrillingCycle& cycle) const override;
+                       BlockEffects& effects) const override;
   void take_over(const Block& block, State& state, ActionQueue& queue) const override;
   void end_of_data(State& state, ActionQueue& queue) const override;
   Alarm syntax_alarm(SyntaxFault fault, const SourceSpan& span) const override;

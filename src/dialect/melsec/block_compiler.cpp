@@ -1,0 +1,300 @@
+#include "dialect/melsec/block_compiler.hpp"
+
+#include <array>
+
+#include "dialect/melsec/alarms.hpp"
+#include "syntax/decimal_reader.hpp"
+
+namespace kerf::melsec {
+namespace {
+
+constexpr int kDeepestBrackets = 5;
+constexpr std::int64_t kHighestSequenceNumber = 99999;
+constexpr std::int32_t kHighestLoop = 127;
+
+constexpr std::array<std::string_view, 8> kKeywords{"IF",  "GOTO",  "WHILE", "DO",
+                                                    "END", "ENDIF", "ELSE",  "THEN"};
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+bool is_upper(char c) {
+  return c >= 'A' && c <= 'Z';
+}
+
+bool is_lower(char c) {
+  return c >= 'a' && c <= 'z';
+}
+
+/// The details code of what is wrong with the brackets of a block; empty when they are right.
+std::string_view bracket_fault(std::string_view block) {
+  int depth = 0;
+  int deepest = 0;
+  int balance = 0;
+  for (const char c : block) {
+    if (c == '[') {
+      ++balance;
+      deepest = std::max(deepest, ++depth);
+    } else if (c == ']') {
+      --balance;
+      --depth;
+    }
+  }
+  if (balance != 0) return "032EH";
+  return deepest > kDeepestBrackets ? "032DH" : "";
+}
+
+}  // namespace
+
+void BlockCompiler::compile(std::string_view line, const SourceSpan& span) {
+  parser_.begin(line);
+  span_ = span;
+  number_ = -1;
+  first_statement_ = program_.statements.size();
+  const std::size_t words = program_.words.size();
+  const std::size_t controls = controls_.size();
+  if (!block()) {
+    program_.statements.resize(first_statement_);
+    program_.words.resize(words);
+    controls_.resize(controls);
+    fault();
+  }
+  if (number_ > 0) program_.labels.push_back({number_, static_cast<StatementIndex>(first_statement_)});
+}
+
+void BlockCompiler::fault() {
+  const ParseFault& found = parser_.fault();
+  SourceSpan place = span_;
+  place.offset += found.at;
+  place.column += static_cast<std::uint32_t>(found.at);
+  const std::size_t left = span_.length - std::min<std::size_t>(span_.length, found.at);
+  place.length = static_cast<std::uint32_t>(std::max<std::size_t>(1, std::min(found.length, left)));
+  program_.faults.push_back({&alarm_kind(found.detail), place});
+  add(StatementKind::fault).jump = static_cast<StatementIndex>(program_.faults.size() - 1);
+}
+
+Statement& BlockCompiler::add(StatementKind kind) {
+  Statement& statement = program_.statements.emplace_back();
+  statement.span = span_;
+  statement.kind = kind;
+  statement.first_of_block = program_.statements.size() == first_statement_ + 1;
+  statement.sequence_number = number_;
+  return statement;
+}
+
+void BlockCompiler::control(ControlKind kind, std::int32_t number) {
+  controls_.push_back({kind, last(), last(), number});
+}
+
+ExpressionRef BlockCompiler::since(std::size_t first_step) const {
+  return {static_cast<std::uint32_t>(first_step),
+          static_cast<std::uint32_t>(program_.steps.size() - first_step)};
+}
+
+bool BlockCompiler::block() {
+  if (const std::string_view detail = bracket_fault(parser_.text()); !detail.empty()) {
+    return parser_.fail(detail, parser_.text().size());
+  }
+  return sequence_number() && statement();
+}
+
+bool BlockCompiler::sequence_number() {
+  if (!parser_.take("N")) return true;
+  if (!is_digit(parser_.peek())) return parser_.fail("0306H");
+  const std::size_t start = parser_.position();
+  const char* p = parser_.text().data() + start;
+  const char* const first = p;
+  Decimal number;
+  read_decimal(p, number);
+  const auto length = static_cast<std::size_t>(p - first);
+  if (number.has_point) return parser_.fail("031AH", length);
+  if (number.overflow || number.digits > kHighestSequenceNumber) return parser_.fail("0308H", length);
+  parser_.set_position(start + length);
+  number_ = static_cast<std::int32_t>(number.digits);
+  return true;
+}
+
+bool BlockCompiler::statement() {
+  const char c = parser_.peek();
+  if (c == '#') return assignment() && nothing_more();
+  if (parser_.take("IF")) return if_statement() && nothing_more();
+  if (parser_.take("GOTO")) return go_to({}) && nothing_more();
+  if (parser_.take("WHILE")) return while_statement() && nothing_more();
+  if (parser_.take("ELSE")) return else_statement() && nothing_more();
+  if (parser_.take("THEN")) return parser_.fail("0330H");
+  if (parser_.take("ENDIF")) {
+    add(StatementKind::nothing);
+    control(ControlKind::end_if);
+    return nothing_more();
+  }
+  if (parser_.take("END")) return end_statement() && nothing_more();
+  if (parser_.take("DO")) return do_statement({}) && nothing_more();
+  return words();
+}
+
+/// An operation or control command stands alone in its block (0 more operations: 0306H, other words: 032CH).
+bool BlockCompiler::nothing_more() {
+  const char c = parser_.peek();
+  if (c == '\0') return true;
+  const std::size_t next = parser_.position() + 1;
+  const char behind = next < parser_.text().size() ? parser_.text()[next] : '\0';
+  const bool is_word = is_upper(c) && (is_digit(behind) || behind == '.' || behind == '#' || behind == '[' ||
+                                       behind == '-' || behind == '+');
+  const bool operation = c == '#' && program_.statements.back().kind != StatementKind::assignment;
+  return parser_.fail(is_word || operation ? "032CH" : "0306H");
+}
+
+bool BlockCompiler::condition_in_brackets(std::string_view detail, ExpressionRef& condition) {
+  if (!parser_.take("[")) return parser_.fail(detail);
+  const std::size_t first = program_.steps.size();
+  if (!parser_.condition() || !(parser_.take("]") || parser_.fail("0306H"))) return false;
+  condition = since(first);
+  return true;
+}
+
+bool BlockCompiler::if_statement() {
+  ExpressionRef condition;
+  if (!condition_in_brackets("0331H", condition)) return false;
+  if (parser_.take("GOTO")) return go_to(condition);
+  add(StatementKind::if_then).condition = condition;
+  const StatementIndex start = last();
+  if (parser_.take("THEN")) return then_part(start);
+  controls_.push_back({ControlKind::if_operation, start, start, 0});
+  return parser_.take("ELSE") ? else_statement() : parser_.fail("0331H");
+}
+
+bool BlockCompiler::then_part(StatementIndex start) {
+  if (parser_.at_end()) {
+    control(ControlKind::if_then);
+    return true;
+  }
+  if (parser_.peek() != '#') return parser_.fail("032CH");
+  if (!assignment()) return false;
+  controls_.push_back({ControlKind::if_operation, start, last(), 0});
+  return !parser_.take("ELSE") || else_statement();
+}
+
+bool BlockCompiler::else_statement() {
+  add(StatementKind::else_part);
+  const StatementIndex start = last();
+  if (!parser_.at_end()) {
+    if (parser_.peek() != '#') return parser_.fail("032CH");
+    if (!assignment()) return false;
+  }
+  controls_.push_back({ControlKind::else_then, start, last(), 0});
+  return true;
+}
+
+bool BlockCompiler::go_to(ExpressionRef condition) {
+  const std::size_t first = program_.steps.size();
+  if (!parser_.value()) return false;
+  Statement& jump = add(StatementKind::go_to);
+  jump.condition = condition;
+  jump.value = since(first);
+  return true;
+}
+
+bool BlockCompiler::while_statement() {
+  ExpressionRef condition;
+  if (!condition_in_brackets("0332H", condition)) return false;
+  return parser_.take("DO") ? do_statement(condition) : parser_.fail("0332H");
+}
+
+bool BlockCompiler::loop_number(std::int32_t& number) {
+  double value = 0.0;
+  if (!is_digit(parser_.peek()) || !parser_.number(value)) return parser_.fail("0332H");
+  number = value <= kHighestLoop ? static_cast<std::int32_t>(value) : 0;
+  return (number >= 1 && value == number) || parser_.fail("0332H");
+}
+
+bool BlockCompiler::do_statement(ExpressionRef condition) {
+  std::int32_t number = 0;
+  if (!loop_number(number)) return false;
+  add(StatementKind::while_do).condition = condition;
+  control(ControlKind::loop, number);
+  return true;
+}
+
+bool BlockCompiler::end_statement() {
+  std::int32_t number = 0;
+  if (!loop_number(number)) return false;
+  add(StatementKind::end_do);
+  control(ControlKind::end_loop, number);
+  return true;
+}
+
+bool BlockCompiler::assignment() {
+  parser_.take("#");
+  const std::size_t target = program_.steps.size();
+  if (!parser_.variable_number(true)) return false;
+  const ExpressionRef number = since(target);
+  if (!parser_.take("=")) return parser_.fail("032BH");
+  const std::size_t value = program_.steps.size();
+  if (!parser_.value()) return false;
+  Statement& definition = add(StatementKind::assignment);
+  definition.target = number;
+  definition.value = since(value);
+  return true;
+}
+
+bool BlockCompiler::words() {
+  const std::size_t first = program_.words.size();
+  while (!parser_.at_end()) {
+    if (program_.words.size() - first == Block::kMaxWords) return parser_.fail("block-too-long");
+    if (!word()) return false;
+  }
+  Statement& block = add(program_.words.size() == first ? StatementKind::nothing : StatementKind::words);
+  block.first_word = static_cast<std::uint32_t>(first);
+  block.word_count = static_cast<std::uint32_t>(program_.words.size() - first);
+  return true;
+}
+
+bool BlockCompiler::word() {
+  Word word;
+  const std::size_t start = parser_.position();
+  word.comma = parser_.take(",");
+  for (const std::string_view keyword : kKeywords) {
+    if (parser_.take(keyword)) return parser_.fail("032CH");
+  }
+  const char c = parser_.peek();
+  if (c == '#') return parser_.fail("032CH");
+  if (is_lower(c) || (word.comma && c != 'F')) return parser_.fail("0305H");
+  if (!is_upper(c)) return parser_.fail(c == '(' || c == '%' || c == '=' || is_digit(c) ? "0306H" : "0305H");
+  if (c == 'N') return sequence_number();
+  word.address = c;
+  parser_.set_position(parser_.position() + 1);
+  if (!word_value(word)) return false;
+  word.column = span_.column + static_cast<std::uint32_t>(start);
+  word.length = static_cast<std::uint32_t>(parser_.position() - start);
+  // The program number comes from the name of the file (decisions.md).
+  if (word.address != 'O') program_.words.push_back(word);
+  return true;
+}
+
+bool BlockCompiler::word_value(Word& word) {
+  const char c = parser_.peek();
+  const std::size_t start = parser_.position();
+  const std::string_view text = parser_.text();
+  const bool is_signed = c == '-' || c == '+';
+  const char* p = text.data() + start + (is_signed ? 1 : 0);
+  while (is_signed && *p == ' ') ++p;
+  if ((is_digit(*p) || *p == '.') && read_decimal(p, word.number)) {
+    parser_.set_position(static_cast<std::size_t>(p - text.data()));
+    if (!parser_.at_operator()) {
+      if (c == '-') word.number.digits = -word.number.digits;
+      return true;
+    }
+    parser_.set_position(start);
+  }
+  if (word.address == 'O') return parser_.fail("0306H");
+  const std::size_t first = program_.steps.size();
+  if (!parser_.value()) return false;
+  // "X#101 = 5" would define a variable through an address.
+  if (parser_.peek() == '=') return parser_.fail("0305H");
+  word.expression = static_cast<std::int32_t>(program_.word_values.size());
+  program_.word_values.push_back(since(first));
+  return true;
+}
+
+}  // namespace kerf::melsec

@@ -1,0 +1,185 @@
+#include "dialect/melsec/block_run.hpp"
+
+#include "dialect/melsec/alarms.hpp"
+#include "dialect/melsec/macro_arguments.hpp"
+
+namespace kerf::melsec {
+namespace {
+
+constexpr double kHighestProgram = 256.0;
+constexpr double kHighestSequenceNumber = 99999.0;
+constexpr double kMostRepetitions = 9999.0;
+constexpr std::size_t kContouringAxes = 4;
+
+}  // namespace
+
+BlockRun::BlockRun(const Rules& rules, const Block& block, State& state, ActionQueue& queue,
+                   FlowRequest& flow)
+    : registers(state.registers),
+      rules_(rules),
+      block_(block),
+      tables_(state.tables),
+      queue_(queue),
+      flow_(flow) {}
+
+bool BlockRun::run() {
+  if (!words_.collect(block_, registers.modal[Group::distance], rules_.machine().axes, alarm)) return false;
+  if (words_.axes().size() > static_cast<int>(kContouringAxes)) return refuse("0302H", block_.span);
+  if (!unfinished_codes() || !feed()) return false;
+  modal();
+  for (const std::int32_t number : words_.auxiliaries()) queue_.push<Auxiliary>().code = number;
+  return operation() && program_code();
+}
+
+bool BlockRun::refuse(std::string_view detail, const SourceSpan& where, const FixedText<200>& message) {
+  alarm = Alarm{&alarm_kind(detail), where, message, {}};
+  return false;
+}
+
+bool BlockRun::accept(const Word& word, const NumberResult& result, double& value) {
+  value = result.value;
+  if (result.fault == NumberFault::none) return true;
+  return refuse(result.fault == NumberFault::range ? "0308H" : "031AH", span(word));
+}
+
+/// Codes of the groups that are not carried out so far; their cancel codes are the state they start in.
+bool BlockRun::unfinished_codes() {
+  for (Group group : {Group::radius_compensation, Group::length_compensation, Group::normal_line,
+                      Group::rotation, Group::polar}) {
+    if (!words_.has(group)) continue;
+    const CodeNumber number = words_[group];
+    const bool cancels = number == code(40) || number == code(40, 1) || number == code(49) ||
+                         number == code(69) || number == code(13, 1);
+    if (!cancels) return refuse("unfinished-code", span(words_.word(group)));
+  }
+  return true;
+}
+
+bool BlockRun::feed() {
+  double ignored = 0.0;
+  if (const Word* rapid = words_.rapid_feed()) {
+    if (feed_of(*rapid).fault != NumberFault::none) return refuse("0312H", span(*rapid));
+  }
+  const Word* word = words_.find('F');
+  if (word == nullptr) return true;
+  const NumberResult result = feed_of(*word);
+  if (result.fault != NumberFault::none) return refuse("0312H", span(*word));
+  ignored = result.value;
+  registers.feed = ignored;
+  registers.feed_given = true;
+  return true;
+}
+
+void BlockRun::modal() {
+  for (Group group : {Group::motion, Group::plane, Group::distance, Group::work_system, Group::path_mode}) {
+    if (words_.has(group)) registers.modal.set(group, words_[group]);
+  }
+}
+
+bool BlockRun::operation() {
+  if (words_.has(kDwell)) return dwell();
+  if (words_.has(kLocalSystem)) return local_system();
+  if (words_.has(kMachineMove)) return machine_move();
+  return motion();
+}
+
+bool BlockRun::dwell() {
+  // P, H and L beside M98 belong to the call.
+  const bool call = words_.program_code() == ProgramCode::call;
+  const Word* seconds = words_.find('X');
+  const Word* milliseconds = call ? nullptr : words_.find('P');
+  if (seconds != nullptr && milliseconds != nullptr) {
+    (seconds->column > milliseconds->column ? milliseconds : seconds) = nullptr;
+  }
+  double value = 0.0;
+  if (seconds != nullptr && !accept(*seconds, seconds_of(*seconds), value)) return false;
+  if (milliseconds != nullptr) {
+    if (!accept(*milliseconds, integer_of(*milliseconds, 0.0, 99999999.0), value)) return false;
+    value /= 1000.0;
+  }
+  queue_.push<Dwell>().seconds = value;
+  return true;
+}
+
+bool BlockRun::local_system() {
+  const auto system = static_cast<std::size_t>(registers.modal[Group::work_system] / 10 - 53);
+  AxisVector local = tables_.local_offsets[system];
+  for (const Axis axis : words_.axes()) {
+    const AxisWord& word = words_.axis(axis);
+    double value = 0.0;
+    if (!accept(*word.word, position_of(*word.word), value)) return false;
+    local[axis] = word.incremental ? local[axis] + value : value;
+  }
+  tables_.local_offsets[system] = local;
+  return true;
+}
+
+bool BlockRun::number_word(char address, double highest, std::int32_t& value) {
+  const Word* word = words_.find(address);
+  if (word == nullptr) return true;
+  double number = 0.0;
+  if (!accept(*word, integer_of(*word, 0.0, highest), number)) return false;
+  value = static_cast<std::int32_t>(number);
+  return true;
+}
+
+bool BlockRun::repetitions() {
+  const Word* word = words_.find('L');
+  if (word == nullptr) return true;
+  const NumberResult number = integer_of(*word, 0.0, kMostRepetitions);
+  if (number.fault == NumberFault::range) return refuse("0328H", span(*word));
+  if (number.fault != NumberFault::none) return refuse("031AH", span(*word));
+  flow_.repetitions = static_cast<std::int32_t>(number.value);
+  return true;
+}
+
+bool BlockRun::program_code() {
+  if (words_.has(kMacroCall)) return macro_call();
+  flow_.span = block_.span;
+  flow_.program = -1;
+  flow_.sequence_number = 0;
+  flow_.repetitions = 1;
+  switch (words_.program_code()) {
+    case ProgramCode::none:
+      return true;
+    case ProgramCode::stop:
+      queue_.push<Stop>();
+      return true;
+    case ProgramCode::end:
+      ends_program = true;
+      return true;
+    case ProgramCode::call:
+      flow_.kind = FlowRequest::Kind::call;
+      return number_word('P', kHighestProgram, flow_.program) &&
+             number_word('H', kHighestSequenceNumber, flow_.sequence_number) && repetitions();
+    case ProgramCode::go_back:
+      flow_.kind = FlowRequest::Kind::go_back;
+      return number_word('P', kHighestSequenceNumber, flow_.sequence_number);
+  }
+  return true;
+}
+
+bool BlockRun::macro_call() {
+  MacroCall call;
+  if (!read_macro_call(block_, words_.first_argument(), call, alarm)) return false;
+  flow_.kind = FlowRequest::Kind::macro_call;
+  flow_.span = block_.span;
+  flow_.program = call.program;
+  flow_.sequence_number = 0;
+  flow_.repetitions = call.repetitions;
+  flow_.keep_locals = rules_.settings().keep_arguments;
+  flow_.given = call.given;
+  flow_.arguments = call.arguments;
+  return true;
+}
+
+void BlockRun::take_over() {
+  if (!words_.collect(block_, registers.modal[Group::distance], rules_.machine().axes, alarm)) return;
+  modal();
+  registers.feed_given = true;
+  if (words_.has(kDwell) || words_.has(kLocalSystem) || words_.has(kMacroCall)) return;
+  AxisVector target = registers.position;
+  if (targets(target)) registers.position = target;
+}
+
+}  // namespace kerf::melsec

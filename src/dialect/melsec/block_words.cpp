@@ -1,0 +1,169 @@
+#include "dialect/melsec/block_words.hpp"
+
+#include <cmath>
+
+#include "dialect/melsec/alarms.hpp"
+#include "dialect/melsec/codes.hpp"
+#include "dialect/melsec/numbers.hpp"
+
+namespace kerf::melsec {
+namespace {
+
+constexpr double kHighestAuxiliary = 99999999.0;
+
+bool refuse(std::optional<Alarm>& alarm, std::string_view detail, const SourceSpan& span,
+            const FixedText<200>& message = {}) {
+  alarm = Alarm{&alarm_kind(detail), span, message, {}};
+  return false;
+}
+
+/// Ten times the number of a G word; nothing when no code can have it.
+std::optional<CodeNumber> code_number(const Word& word) {
+  double tenfold = 0.0;
+  if (word.is_computed) {
+    tenfold = std::round(word.computed * 10.0);
+  } else {
+    if (word.number.overflow || word.number.decimals > 1) return std::nullopt;
+    tenfold = static_cast<double>(word.number.digits) * (word.number.decimals == 1 ? 1.0 : 10.0);
+  }
+  if (!(tenfold >= 0.0 && tenfold < 10000.0)) return std::nullopt;
+  return static_cast<CodeNumber>(tenfold);
+}
+
+std::uint8_t one_shot_of(CodeNumber number) {
+  switch (number) {
+    case code(4):
+      return kDwell;
+    case code(9):
+      return kExactStop;
+    case code(52):
+      return kLocalSystem;
+    case code(53):
+      return kMachineMove;
+    case code(65):
+      return kMacroCall;
+    default:
+      return 0;
+  }
+}
+
+/// Rows of the G codes by ten times their number, made once.
+struct CodeIndex {
+  std::array<const CodeRow*, 1000> rows{};
+  CodeIndex() {
+    for (const CodeRow& row : code_table()) {
+      if (row.letter == 'G') rows[row.number] = &row;
+    }
+  }
+};
+
+const CodeRow* find_g(CodeNumber number) {
+  static const CodeIndex kIndex;
+  return number < kIndex.rows.size() ? kIndex.rows[number] : nullptr;
+}
+
+}  // namespace
+
+bool BlockWords::collect(const Block& block, CodeNumber distance, AxisSet machine_axes,
+                         std::optional<Alarm>& alarm) {
+  codes_.fill(kNone);
+  values_.fill(nullptr);
+  named_ = {};
+  rapid_feed_ = nullptr;
+  auxiliaries_.clear();
+  one_shots_ = 0;
+  program_code_ = ProgramCode::none;
+  incremental_ = distance == code(91);
+  first_argument_ = block.words.size();
+  for (std::size_t i = 0; i < block.words.size(); ++i) {
+    const Word& word = block.words[i];
+    bool good = true;
+    if (word.address == 'G') {
+      good = take_code(block, word, alarm);
+      if (good && has(kMacroCall)) {
+        first_argument_ = i + 1;
+        return true;
+      }
+    } else if (word.address == 'M') {
+      good = take_auxiliary(block, word, alarm);
+    } else {
+      good = take_value(block, word, machine_axes, alarm);
+    }
+    if (!good) return false;
+  }
+  return true;
+}
+
+bool BlockWords::take_code(const Block& block, const Word& word, std::optional<Alarm>& alarm) {
+  const auto number = code_number(word);
+  const CodeRow* row = number ? find_g(*number) : nullptr;
+  if (row == nullptr) {
+    refuse(alarm, "0307H", span_of(block, word));
+    if (number && *number % 10 == 0) alarm->remedy = nearest_code(code_table(), 'G', *number / 10);
+    return false;
+  }
+  if (row->group == Group::one_shot) {
+    const std::uint8_t bit = one_shot_of(*number);
+    if (bit == 0) return refuse(alarm, "unfinished-code", span_of(block, word));
+    one_shots_ |= bit;
+    return true;
+  }
+  const auto group = static_cast<std::size_t>(row->group);
+  codes_[group] = *number;
+  code_at_[group] = &word;
+  if (row->group == Group::distance) incremental_ = *number == code(91);
+  return true;
+}
+
+bool BlockWords::take_auxiliary(const Block& block, const Word& word, std::optional<Alarm>& alarm) {
+  const NumberResult number = integer_of(word, -kHighestAuxiliary, kHighestAuxiliary);
+  if (number.fault != NumberFault::none) {
+    return refuse(alarm, number.fault == NumberFault::range ? "0308H" : "031AH", span_of(block, word));
+  }
+  const auto value = static_cast<std::int32_t>(number.value);
+  switch (value) {
+    case 0:
+    case 1:
+      program_code_ = ProgramCode::stop;
+      return true;
+    case 2:
+    case 30:
+      program_code_ = ProgramCode::end;
+      return true;
+    case 98:
+      program_code_ = ProgramCode::call;
+      return true;
+    case 99:
+      program_code_ = ProgramCode::go_back;
+      return true;
+    default:
+      break;
+  }
+  if (auxiliaries_.full()) {
+    for (std::size_t i = 1; i < kAuxiliaries; ++i) auxiliaries_[i - 1] = auxiliaries_[i];
+    auxiliaries_.resize(kAuxiliaries - 1);
+  }
+  auxiliaries_.push_back(value);
+  return true;
+}
+
+bool BlockWords::take_value(const Block& block, const Word& word, AxisSet machine_axes,
+                            std::optional<Alarm>& alarm) {
+  if (word.comma) {
+    rapid_feed_ = &word;
+    return true;
+  }
+  values_[static_cast<std::size_t>(word.address - 'A')] = &word;
+  if (const auto axis = axis_from_letter(word.address)) {
+    if (!machine_axes.contains(*axis)) return refuse(alarm, "0303H", span_of(block, word));
+    named_.insert(*axis);
+    axes_[index(*axis)] = {&word, incremental_};
+    return true;
+  }
+  constexpr std::string_view kAddresses = "DFHIJKLPR";
+  if (kAddresses.find(word.address) != std::string_view::npos) return true;
+  return refuse(alarm, "0305H", span_of(block, word),
+                FixedText<200>::format("The controller has no address {}.", word.address));
+}
+
+}  // namespace kerf::melsec

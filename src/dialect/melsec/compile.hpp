@@ -1,0 +1,18 @@
+#pragma once
+// A program file of the MELSEC G-code control into a compiled program (manual 5.1, 5.2, 5.8 to 5.10).
+
+#include <memory>
+
+#include "syntax/compiled_program.hpp"
+
+namespace kerf::melsec {
+
+/// Largest program file, bytes (manual 5.1).
+inline constexpr std::size_t kLargestProgram = 512 * 1024;
+
+/// Compiles any text: what is wrong with a block becomes a fault that is raised when the block is reached,
+/// and what is wrong with the file (no % lines, too large) a fault of its first statement, since the
+/// controller does not load such a file. `number` is the program number.
+std::shared_ptr<const CompiledProgram> compile(std::shared_ptr<const Source> source, std::int32_t number);
+
+}  // namespace kerf::melsec

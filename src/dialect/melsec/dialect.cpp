@@ -1,0 +1,48 @@
+#include "dialect/melsec/dialect.hpp"
+
+#include "dialect/melsec/alarms.hpp"
+#include "dialect/melsec/codes.hpp"
+#include "dialect/melsec/rules.hpp"
+#include "dialect/melsec/settings.hpp"
+
+namespace kerf::melsec {
+namespace {
+
+std::shared_ptr<const BlockRules> make_rules(const Settings& settings, const Machine& machine) {
+  return std::make_shared<const Rules>(controller_settings(settings), machine);
+}
+
+FeedPolicy feed_policy(const Settings&) {
+  return {};
+}
+
+ToolpathPolicy toolpath_policy(const Settings&) {
+  ToolpathPolicy policy;
+  policy.compensation.start_with_arc = &alarm_kind("0315H");
+  policy.compensation.end_with_arc = &alarm_kind("0315H");
+  policy.compensation.inner_arc_radius = &alarm_kind("031EH");
+  policy.compensation.no_crossover = &alarm_kind("031DH");
+  policy.compensation.side_change = &alarm_kind("0306H");
+  policy.compensation.corner_arc_outside = &alarm_kind("0306H");
+  policy.limits = {&alarm_kind("0221H"), false};
+  return policy;
+}
+
+}  // namespace
+
+Dialect dialect() {
+  Dialect d;
+  d.name = "melsec";
+  d.title = "MELSEC iQ-R G-code control";
+  d.alarms = alarm_catalogue();
+  d.codes = code_table();
+  d.parameters = parameters();
+  d.defaults = default_machine();
+  d.contradictions = contradictions;
+  d.rules = make_rules;
+  d.feed_policy = feed_policy;
+  d.toolpath_policy = toolpath_policy;
+  return d;
+}
+
+}  // namespace kerf::melsec

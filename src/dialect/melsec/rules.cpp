@@ -1,0 +1,132 @@
+#include "dialect/melsec/rules.hpp"
+
+#include <map>
+
+#include "dialect/melsec/alarms.hpp"
+#include "dialect/melsec/block_run.hpp"
+#include "dialect/melsec/compile.hpp"
+
+namespace kerf::melsec {
+namespace {
+
+/// The program number of a file name O001.gcd to O256.gcd; 1 for any other (decisions.md).
+std::int32_t program_number(std::string_view name) {
+  const std::size_t slash = name.rfind('/');
+  if (slash != std::string_view::npos) name.remove_prefix(slash + 1);
+  std::int32_t number = 0;
+  if (name.size() != 8 || name[0] != 'O' || !name.ends_with(".gcd")) return 1;
+  for (std::size_t i = 1; i < 4; ++i) {
+    if (name[i] < '0' || name[i] > '9') return 1;
+    number = number * 10 + (name[i] - '0');
+  }
+  return number;
+}
+
+/// Compiles each program once, when it is first called.
+class ProgramStore {
+ public:
+  explicit ProgramStore(ProgramTexts texts) : texts_(std::move(texts)) {}
+
+  std::shared_ptr<const CompiledProgram> find(std::int32_t number) {
+    const auto known = programs_.find(number);
+    if (known != programs_.end()) return known->second;
+    auto text = texts_(number);
+    auto program = text == nullptr ? nullptr : compile(std::move(text), number);
+    programs_.emplace(number, program);
+    return program;
+  }
+
+ private:
+  ProgramTexts texts_;
+  std::map<std::int32_t, std::shared_ptr<const CompiledProgram>> programs_;
+};
+
+FlowAlarms flow_alarms() {
+  // In the order of FlowFault.
+  return {&alarm_kind("032AH"), &alarm_kind("0319H"), &alarm_kind("0318H"), &alarm_kind("031FH"),
+          &alarm_kind("0320H"), &alarm_kind("0329H"), &alarm_kind("0335H"), &alarm_kind("032FH"),
+          &alarm_kind("0333H"), &alarm_kind("0334H"), &alarm_kind("0306H"), &alarm_kind("endless-loop")};
+}
+
+}  // namespace
+
+Rules::Rules(const ControllerSettings& settings, const Machine& machine)
+    : settings_(settings), machine_(machine), travel_(machine) {}
+
+BlockFeed Rules::open(std::shared_ptr<const Source> source, ProgramTexts others) const {
+  const std::int32_t number = program_number(source->name());
+  auto store = std::make_shared<ProgramStore>(std::move(others));
+  return ProgramFlow(
+      compile(std::move(source), number), [store](std::int32_t wanted) { return store->find(wanted); },
+      flow_alarms());
+}
+
+State Rules::initial_state() const {
+  State state;
+  for (const Axis axis : machine_.axes) state.registers.position[axis] = machine_[axis].start;
+  state.tables.work_offsets = machine_.work_offsets;
+  state.variables = MacroVariables(settings_.variables);
+  return state;
+}
+
+void Rules::begin_program(State& state) const {
+  Registers& r = state.registers;
+  r.modal.set(Group::motion, settings_.initial_motion);
+  r.modal.set(Group::plane, settings_.initial_plane);
+  r.modal.set(Group::distance, settings_.initial_distance);
+  r.modal.set(Group::feed_mode, code(94));
+  r.modal.set(Group::radius_compensation, code(40));
+  r.modal.set(Group::length_compensation, code(49));
+  r.modal.set(Group::work_system, code(54));
+  r.modal.set(Group::path_mode, code(64));
+  r.modal.set(Group::normal_line, code(40, 1));
+  r.modal.set(Group::rotation, code(69));
+  r.modal.set(Group::polar, code(13, 1));
+  r.feed_given = false;
+  r.feed = 0.0;
+  r.program = r.sequence_number = -1;
+  state.tables.local_offsets = {};
+  state.variables.set_level(0);
+}
+
+BlockOutcome Rules::execute(const Block& block, State& state, ActionQueue& queue,
+                            BlockEffects& effects) const {
+  const Registers before = state.registers;
+  BlockRun run(*this, block, state, queue, effects.flow);
+  if (!run.run()) {
+    state.registers = before;
+    effects.flow.kind = FlowRequest::Kind::none;
+    queue.roll_back();
+    queue.push<Alarm>() = *run.alarm;
+    return BlockOutcome::alarm;
+  }
+  if (!run.ends_program) return BlockOutcome::done;
+  queue.push<End>();
+  return BlockOutcome::ended;
+}
+
+void Rules::take_over(const Block& block, State& state, ActionQueue& queue) const {
+  FlowRequest ignored;
+  BlockRun(*this, block, state, queue, ignored).take_over();
+}
+
+void Rules::end_of_data(State&, ActionQueue& queue) const {
+  queue.push<Alarm>() = {&alarm_kind("0309H"), queue.origin().span, {}, {}};
+}
+
+Alarm Rules::syntax_alarm(SyntaxFault, const SourceSpan& span) const {
+  return {&alarm_kind("0306H"), span, {}, {}};
+}
+
+AxisVector Rules::work_origin(const State& state) const {
+  return workpiece_origin(state.registers, state.tables);
+}
+
+AxisVector workpiece_origin(const Registers& registers, const Tables& tables) {
+  const auto system = static_cast<std::size_t>(registers.modal[Group::work_system] / 10 - 53);
+  AxisVector origin = tables.work_offsets[system];
+  origin += tables.local_offsets[system];
+  return origin;
+}
+
+}  // namespace kerf::melsec

@@ -1,0 +1,39 @@
+#pragma once
+// How blocks of the MELSEC G-code control act on the state.
+
+#include "dialect/melsec/settings.hpp"
+#include "execute/block_rules.hpp"
+#include "execute/code_table.hpp"
+#include "execute/travel.hpp"
+#include "machine/machine.hpp"
+
+namespace kerf::melsec {
+
+class Rules final : public BlockRules {
+ public:
+  Rules(const ControllerSettings& settings, const Machine& machine);
+
+  BlockFeed open(std::shared_ptr<const Source> source, ProgramTexts others) const override;
+  State initial_state() const override;
+  void begin_program(State& state) const override;
+  BlockOutcome execute(const Block& block, State& state, ActionQueue& queue,
+                       BlockEffects& effects) const override;
+  void take_over(const Block& block, State& state, ActionQueue& queue) const override;
+  void end_of_data(State& state, ActionQueue& queue) const override;
+  Alarm syntax_alarm(SyntaxFault fault, const SourceSpan& span) const override;
+  AxisVector work_origin(const State& state) const override;
+
+  const ControllerSettings& settings() const { return settings_; }
+  const Machine& machine() const { return machine_; }
+  const Travel& travel() const { return travel_; }
+
+ private:
+  ControllerSettings settings_;
+  Machine machine_;
+  Travel travel_;
+};
+
+/// Offset of the selected work coordinate system, the local coordinate system in it included.
+AxisVector workpiece_origin(const Registers& registers, const Tables& tables);
+
+}  // namespace kerf::melsec

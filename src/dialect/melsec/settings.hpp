@@ -1,0 +1,34 @@
+#pragma once
+// The [melsec] section of the machine file: the G-code control parameters of chapter 4 of the manual.
+
+#include <array>
+#include <optional>
+#include <span>
+
+#include "base/axis.hpp"
+#include "execute/macro_variables.hpp"
+#include "execute/modal.hpp"
+#include "machine/parameter.hpp"
+#include "machine/settings.hpp"
+#include "machine/settings_error.hpp"
+
+namespace kerf::melsec {
+
+struct ControllerSettings {
+  CodeNumber initial_motion = code(1);
+  CodeNumber initial_plane = code(17);
+  CodeNumber initial_distance = code(91);
+  double arc_deviation = 0.01;              ///< mm
+  double arc_center_compensation = 0.0;     ///< mm; below 0: none, 0: two least increments
+  std::array<std::optional<Axis>, 3> base;  ///< I, J, K
+  MacroVariableLayout variables;
+  bool keep_arguments = false;
+};
+
+std::span<const Parameter> parameters();
+std::span<const DefaultOverride> default_machine();
+ControllerSettings controller_settings(const Settings& settings);
+/// Parameters that do not go together (details codes 0010H and 0016H).
+std::vector<SettingsError> contradictions(const Settings& settings);
+
+}  // namespace kerf::melsec

@@ -1,0 +1,327 @@
+#include "execute/program_flow.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace kerf {
+namespace {
+
+FlowFault fault_of(MathFault fault) {
+  switch (fault) {
+    case MathFault::zero_divisor:
+      return FlowFault::zero_divisor;
+    case MathFault::out_of_domain:
+      return FlowFault::out_of_domain;
+    default:
+      return FlowFault::no_variable;
+  }
+}
+
+const StatementRange& range_of(const std::vector<StatementRange>& ranges, std::int16_t index) {
+  return ranges[static_cast<std::size_t>(index)];
+}
+
+}  // namespace
+
+ProgramFlow::ProgramFlow(std::shared_ptr<const CompiledProgram> program, ProgramFinder finder,
+                         const FlowAlarms& alarms)
+    : finder_(std::move(finder)), alarms_(alarms) {
+  frames_.push_back().program = std::move(program);
+}
+
+ProgramFlow::Result ProgramFlow::next(Block& block, MacroVariables& variables) {
+  for (;;) {
+    Frame& frame = here();
+    if (frame.next >= frame.program->statements.size()) return Result::end;
+    const Statement& statement = frame.program->statements[frame.next];
+    if (statement.first_of_block) {
+      span_ = statement.span;
+      sequence_number_ = statement.sequence_number;
+    }
+    switch (execute(statement, block, variables)) {
+      case Step::on:
+        break;
+      case Step::block:
+        return Result::block;
+      case Step::fault:
+        skip_block();
+        return Result::fault;
+    }
+  }
+}
+
+void ProgramFlow::skip_block() {
+  Frame& frame = here();
+  const auto& statements = frame.program->statements;
+  do {
+    ++frame.next;
+  } while (frame.next < statements.size() && !statements[frame.next].first_of_block);
+}
+
+ProgramFlow::Step ProgramFlow::execute(const Statement& statement, Block& block, MacroVariables& variables) {
+  Frame& frame = here();
+  switch (statement.kind) {
+    case StatementKind::words:
+      return fill(statement, block, variables);
+    case StatementKind::assignment:
+      return assign(statement, variables);
+    case StatementKind::go_to:
+      return go_to(statement, variables);
+    case StatementKind::if_then:
+      return enter_range(statement, variables);
+    case StatementKind::else_part:
+      leave_ranges(frame.next);
+      // Reached from the THEN part; after a jump into the range the IF is without effect.
+      frame.next =
+          !frame.ranges.empty() && frame.ranges.back() == statement.range ? statement.jump : frame.next + 1;
+      return Step::on;
+    case StatementKind::while_do:
+      return enter_loop(statement, variables);
+    case StatementKind::end_do:
+      return end_loop(statement);
+    case StatementKind::nothing:
+      ++frame.next;
+      return Step::on;
+    case StatementKind::fault:
+      fault_ = frame.program->faults[statement.jump];
+      return Step::fault;
+  }
+  return Step::on;
+}
+
+ProgramFlow::Step ProgramFlow::fail(FlowFault fault) {
+  fault_ = {alarms_[static_cast<std::size_t>(fault)], span_};
+  return Step::fault;
+}
+
+ProgramFlow::Result ProgramFlow::refuse(FlowFault fault) {
+  fail(fault);
+  return Result::fault;
+}
+
+ProgramFlow::Result ProgramFlow::finish() {
+  return inside_unclosed_loop() ? refuse(FlowFault::loop_unpaired) : Result::end;
+}
+
+std::shared_ptr<const Source> ProgramFlow::source_of(std::int32_t number) const {
+  for (const Frame& frame : frames_) {
+    if (frame.program->number == number) return frame.program->source;
+  }
+  const auto found = finder_(number);
+  return found == nullptr ? frames_.begin()->program->source : found->source;
+}
+
+ProgramFlow::Step ProgramFlow::compute(const ExpressionRef& expression, const MacroVariables& variables,
+                                       double& value) {
+  const MathFault fault = evaluate(program().expression(expression), variables, value);
+  return fault == MathFault::none ? Step::on : fail(fault_of(fault));
+}
+
+ProgramFlow::Step ProgramFlow::evaluate_condition(const ExpressionRef& condition,
+                                                  const MacroVariables& variables, bool& holds) {
+  double value = 1.0;
+  if (condition.count > 0 && compute(condition, variables, value) != Step::on) return Step::fault;
+  holds = value != 0.0;
+  return Step::on;
+}
+
+ProgramFlow::Step ProgramFlow::fill(const Statement& statement, Block& block,
+                                    const MacroVariables& variables) {
+  const CompiledProgram& text = program();
+  block.span = statement.span;
+  block.skip_mark = false;
+  block.words.clear();
+  for (std::uint32_t i = 0; i < statement.word_count; ++i) {
+    Word& word = block.words.push_back(text.words[statement.first_word + i]);
+    if (word.expression < 0) continue;
+    const ExpressionRef& value = text.word_values[static_cast<std::size_t>(word.expression)];
+    word.is_computed = true;
+    if (compute(value, variables, word.computed) != Step::on) return Step::fault;
+  }
+  ++here().next;
+  return Step::block;
+}
+
+ProgramFlow::Step ProgramFlow::assign(const Statement& statement, MacroVariables& variables) {
+  double number = 0.0;
+  double value = 0.0;
+  if (compute(statement.target, variables, number) != Step::on) return Step::fault;
+  if (compute(statement.value, variables, value) != Step::on) return Step::fault;
+  double* variable = variables.find(number);
+  if (variable == nullptr) return fail(FlowFault::no_variable);
+  *variable = value;
+  ++here().next;
+  return Step::on;
+}
+
+ProgramFlow::Step ProgramFlow::jump(StatementIndex target) {
+  if (target <= here().next && ++jumps_back_ > kMostJumpsBack) return fail(FlowFault::endless);
+  here().next = target;
+  return Step::on;
+}
+
+bool ProgramFlow::may_jump_to(const Frame& frame, StatementIndex target) const {
+  const Statement& statement = frame.program->statements[target];
+  std::int16_t loop = statement.loop;
+  if (loop >= 0 && statement.kind == StatementKind::while_do)
+    loop = range_of(frame.program->loops, loop).parent;
+  if (loop < 0) return true;
+  for (const std::int16_t entered : frame.loops) {
+    if (entered == loop) return true;
+  }
+  return false;
+}
+
+ProgramFlow::Step ProgramFlow::go_to(const Statement& statement, const MacroVariables& variables) {
+  Frame& frame = here();
+  bool holds = false;
+  if (evaluate_condition(statement.condition, variables, holds) != Step::on) return Step::fault;
+  if (!holds) {
+    ++frame.next;
+    return Step::on;
+  }
+  double number = 0.0;
+  if (compute(statement.value, variables, number) != Step::on) return Step::fault;
+  const double rounded = std::round(number);
+  StatementIndex target = kNoStatement;
+  if (rounded >= 1.0 && rounded <= 1e9) {
+    target = frame.program->find_label(static_cast<std::int32_t>(rounded), frame.next);
+  }
+  if (target == kNoStatement) return fail(FlowFault::no_sequence_number);
+  leave_loops(frame, frame.next);
+  if (!may_jump_to(frame, target)) return fail(FlowFault::jump_into_loop);
+  return jump(target);
+}
+
+void ProgramFlow::leave_ranges(StatementIndex statement) {
+  Frame& frame = here();
+  while (!frame.ranges.empty() && !range_of(frame.program->ranges, frame.ranges.back()).contains(statement)) {
+    frame.ranges.resize(frame.ranges.size() - 1);
+  }
+}
+
+void ProgramFlow::leave_loops(Frame& frame, StatementIndex statement) {
+  while (!frame.loops.empty() && !range_of(frame.program->loops, frame.loops.back()).contains(statement)) {
+    frame.loops.resize(frame.loops.size() - 1);
+  }
+}
+
+ProgramFlow::Step ProgramFlow::enter_range(const Statement& statement, const MacroVariables& variables) {
+  Frame& frame = here();
+  leave_ranges(frame.next);
+  // The place may be reached again without its range having been left: a loop inside the range's own text.
+  if (!frame.ranges.empty() && frame.ranges.back() == statement.range)
+    frame.ranges.resize(frame.ranges.size() - 1);
+  if (frame.ranges.full()) return fail(FlowFault::if_depth);
+  bool holds = false;
+  if (evaluate_condition(statement.condition, variables, holds) != Step::on) return Step::fault;
+  frame.ranges.push_back(statement.range);
+  frame.next = holds ? frame.next + 1 : statement.jump;
+  return Step::on;
+}
+
+std::size_t ProgramFlow::loop_depth() const {
+  std::size_t depth = 0;
+  for (const Frame& frame : frames_) depth += frame.loops.size();
+  return depth;
+}
+
+ProgramFlow::Step ProgramFlow::enter_loop(const Statement& statement, const MacroVariables& variables) {
+  Frame& frame = here();
+  leave_loops(frame, frame.next);
+  const bool again = !frame.loops.empty() && frame.loops.back() == statement.loop;
+  if (!again && loop_depth() >= kLoops) return fail(FlowFault::loop_depth);
+  bool holds = false;
+  if (evaluate_condition(statement.condition, variables, holds) != Step::on) return Step::fault;
+  if (!holds && !range_of(frame.program->loops, statement.loop).closed())
+    return fail(FlowFault::loop_unpaired);
+  if (!again) frame.loops.push_back(statement.loop);
+  frame.next = holds ? frame.next + 1 : statement.jump;
+  return Step::on;
+}
+
+ProgramFlow::Step ProgramFlow::end_loop(const Statement& statement) {
+  Frame& frame = here();
+  leave_loops(frame, frame.next);
+  if (frame.loops.empty() || frame.loops.back() != statement.loop) return fail(FlowFault::loop_unpaired);
+  return jump(statement.jump);
+}
+
+bool ProgramFlow::inside_unclosed_loop() const {
+  const Frame& frame = frames_.back();
+  for (const std::int16_t loop : frame.loops) {
+    if (!range_of(frame.program->loops, loop).closed()) return true;
+  }
+  return false;
+}
+
+ProgramFlow::Result ProgramFlow::carry_out(const FlowRequest& request, MacroVariables& variables) {
+  return request.kind == FlowRequest::Kind::go_back ? go_back(request, variables) : call(request, variables);
+}
+
+std::size_t ProgramFlow::macro_depth() const {
+  std::size_t depth = 0;
+  for (const Frame& frame : frames_) depth += frame.macro ? 1 : 0;
+  return depth;
+}
+
+ProgramFlow::Result ProgramFlow::call(const FlowRequest& request, MacroVariables& variables) {
+  const bool macro = request.kind == FlowRequest::Kind::macro_call;
+  if (request.repetitions <= 0) return Result::block;
+  if (macro && macro_depth() >= kMacroCalls) return refuse(FlowFault::macro_depth);
+  if (frames_.full()) return refuse(FlowFault::call_depth);
+  auto called =
+      request.program < 0 || request.program == program().number ? here().program : finder_(request.program);
+  if (called == nullptr) return refuse(FlowFault::no_program);
+  StatementIndex entry = 0;
+  if (request.sequence_number > 0) {
+    entry = called->find_first(request.sequence_number);
+    if (entry == kNoStatement) return refuse(FlowFault::no_sequence_number);
+  }
+  if (macro) {
+    if (request.given != 0 && variables.find(1.0) == nullptr) return refuse(FlowFault::no_variable);
+    auto& locals = variables.locals_of(variables.level() + 1);
+    for (std::size_t i = 0; i < locals.size(); ++i) {
+      const bool given = (request.given >> i & 1U) != 0;
+      if (given || !request.keep_locals) locals[i] = given ? request.arguments[i] : 0.0;
+    }
+    variables.set_level(variables.level() + 1);
+  }
+  here().call = here().next - 1;
+  Frame& frame = frames_.push_back();
+  frame = Frame{};
+  frame.program = std::move(called);
+  frame.next = frame.entry = entry;
+  frame.repetitions_left = request.repetitions - 1;
+  frame.macro = macro;
+  return Result::block;
+}
+
+ProgramFlow::Result ProgramFlow::go_back(const FlowRequest& request, MacroVariables& variables) {
+  if (inside_unclosed_loop()) return refuse(FlowFault::loop_unpaired);
+  Frame& frame = here();
+  frame.loops.clear();
+  frame.ranges.clear();
+  if (frame.repetitions_left > 0) {
+    --frame.repetitions_left;
+    frame.next = frame.entry;
+    return Result::block;
+  }
+  const bool main = frames_.size() == 1;
+  Frame& target_frame = main ? frame : frames_[frames_.size() - 2];
+  StatementIndex target = main ? 0 : target_frame.next;
+  if (request.sequence_number > 0) {
+    target = target_frame.program->find_label(request.sequence_number, target_frame.call);
+    if (target == kNoStatement) return refuse(FlowFault::no_sequence_number);
+    leave_loops(target_frame, target_frame.call);
+    if (!may_jump_to(target_frame, target)) return refuse(FlowFault::jump_into_loop);
+  }
+  if (!main) {
+    if (frame.macro) variables.set_level(variables.level() - 1);
+    frame.program.reset();
+    frames_.resize(frames_.size() - 1);
+  }
+  return jump(target) == Step::on ? Result::block : Result::fault;
+}
+
+}  // namespace kerf

@@ -1,0 +1,132 @@
+#pragma once
+// The way through compiled programs: jumps, loops, conditions, variables, calls and returns.
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+#include "base/fixed_vector.hpp"
+#include "execute/evaluate.hpp"
+#include "execute/macro_variables.hpp"
+#include "syntax/compiled_program.hpp"
+
+namespace kerf {
+
+/// The program of a number, null when there is none. Called once a program.
+using ProgramFinder = std::function<std::shared_ptr<const CompiledProgram>(std::int32_t number)>;
+
+/// What a block asks of the flow, written by the block rules.
+struct FlowRequest {
+  enum class Kind : std::uint8_t {
+    none,
+    call,        ///< subprogram
+    macro_call,  ///< macro program with arguments
+    go_back,     ///< to the caller; in the main program to its start
+  };
+  Kind kind = Kind::none;
+  std::int32_t program = -1;         ///< to be called; -1: the one that is running
+  std::int32_t sequence_number = 0;  ///< where to start or go on; 0: the start, or behind the call
+  std::int32_t repetitions = 1;      ///< 0: none
+  bool keep_locals = false;          ///< locals without an argument keep their values instead of becoming 0
+  std::uint64_t given = 0;           ///< bit i - 1: argument for the local variable i
+  MacroVariables::Locals arguments{};
+  SourceSpan span;  ///< of the block
+};
+
+/// What can be wrong on the way.
+enum class FlowFault : std::uint8_t {
+  no_variable,
+  zero_divisor,
+  out_of_domain,
+  no_program,
+  no_sequence_number,
+  call_depth,
+  macro_depth,
+  if_depth,
+  loop_depth,
+  loop_unpaired,
+  jump_into_loop,
+  endless,  ///< more jumps back than any program needs
+};
+inline constexpr std::size_t kFlowFaults = 12;
+
+/// The dialect's alarm for each fault, in the order of FlowFault.
+using FlowAlarms = std::array<const AlarmKind*, kFlowFaults>;
+
+/// A value: a copy is a restart point. Allocates only when a program is called for the first time.
+class ProgramFlow {
+ public:
+  static constexpr std::size_t kCalls = 10;
+  static constexpr std::size_t kMacroCalls = MacroVariables::kLevels - 1;
+  static constexpr std::size_t kLoops = 27;   ///< nested, over all programs
+  static constexpr std::size_t kRanges = 10;  ///< IFs nested in one program
+  /// Jumps back after which a program counts as endless: seconds of work.
+  static constexpr std::uint32_t kMostJumpsBack = 100'000'000;
+
+  enum class Result : std::uint8_t { block, end, fault };
+
+  ProgramFlow(std::shared_ptr<const CompiledProgram> program, ProgramFinder finder, const FlowAlarms& alarms);
+
+  /// Goes on to the next block for the block rules. After `fault` the way goes on behind the faulty block.
+  /// `end`: a program ended without a word that ends it.
+  Result next(Block& block, MacroVariables& variables);
+  /// Carries out what the block just executed asks for.
+  Result carry_out(const FlowRequest& request, MacroVariables& variables);
+  /// The program ends at this place: a fault when a loop around it has no END.
+  Result finish();
+
+  const StatementFault& fault() const { return fault_; }  ///< after Result::fault
+  const SourceSpan& span() const { return span_; }        ///< of the block reached
+  const CompiledProgram& program() const { return *frames_.back().program; }
+  /// The text of a program that was run, by its number.
+  std::shared_ptr<const Source> source_of(std::int32_t number) const;
+  std::int32_t sequence_number() const { return sequence_number_; }  ///< of the block reached; -1: none
+
+ private:
+  struct Frame {
+    std::shared_ptr<const CompiledProgram> program;
+    StatementIndex next = 0;
+    StatementIndex entry = 0;  ///< where a repetition starts
+    StatementIndex call = 0;   ///< statement of the last call made from here
+    std::int32_t repetitions_left = 0;
+    bool macro = false;
+    FixedVector<std::int16_t, kRanges> ranges;  ///< entered through their IFs
+    FixedVector<std::int16_t, kLoops> loops;    ///< entered through their WHILE or DO
+  };
+  /// What became of one statement.
+  enum class Step : std::uint8_t { on, block, fault };
+
+  Step execute(const Statement& statement, Block& block, MacroVariables& variables);
+  Step assign(const Statement& statement, MacroVariables& variables);
+  Step go_to(const Statement& statement, const MacroVariables& variables);
+  Step enter_range(const Statement& statement, const MacroVariables& variables);
+  Step enter_loop(const Statement& statement, const MacroVariables& variables);
+  Step end_loop(const Statement& statement);
+  Step fill(const Statement& statement, Block& block, const MacroVariables& variables);
+  Step jump(StatementIndex target);
+  Step evaluate_condition(const ExpressionRef& condition, const MacroVariables& variables, bool& holds);
+  Step compute(const ExpressionRef& expression, const MacroVariables& variables, double& value);
+  Result call(const FlowRequest& request, MacroVariables& variables);
+  Result go_back(const FlowRequest& request, MacroVariables& variables);
+  Step fail(FlowFault fault);
+  Result refuse(FlowFault fault);
+  bool inside_unclosed_loop() const;
+  bool may_jump_to(const Frame& frame, StatementIndex target) const;
+  void leave_ranges(StatementIndex statement);
+  void leave_loops(Frame& frame, StatementIndex statement);
+  std::size_t loop_depth() const;
+  std::size_t macro_depth() const;
+  void skip_block();
+  Frame& here() { return frames_.back(); }
+
+  FixedVector<Frame, kCalls + 1> frames_;
+  ProgramFinder finder_;
+  FlowAlarms alarms_;
+  std::uint32_t jumps_back_ = 0;
+  StatementFault fault_;
+  SourceSpan span_;
+  std::int32_t sequence_number_ = -1;
+};
+
+}  // namespace kerf
