@@ -137,7 +137,7 @@ void walk_path(const Controller& controller, const std::shared_ptr<const kerf::S
     promises.check(*action);
     if (std::holds_alternative<kerf::Alarm>(action->what)) {
       ++alarms;
-      interpreter.recover();
+      path->recover();
       promises.recovered();
     }
   }

@@ -102,6 +102,23 @@ TEST_F(CommandLine, PathStopsAtTheFirstAlarm) {
   EXPECT_EQ(events[2]["line"], 4);
 }
 
+TEST_F(CommandLine, AnAlarmOfTheOffsetEndsTheProgramToo) {
+  // The arc of radius 2 is too small for the tool of radius 3 on its inside.
+  const std::string name =
+      file("inner.nc",
+           "%\nG21G90G17S1000M03F300.\nG01G42D1X0Y0\nX20.\nG02X22.Y-2.R2.\nG01Y-30.\nG40X40.\nM02\n%\n");
+  const std::string machine = " --set tools.1.radius=3 --set axes.X.start=-20";
+  const Outcome path = kerf("path --json " + name + machine);
+  EXPECT_EQ(path.status, 1);
+  EXPECT_EQ(path.out.find("\"end\"}"), std::string::npos) << path.out;
+  EXPECT_EQ(path.out.find("\"line\":6"), std::string::npos) << path.out;
+  EXPECT_NE(path.out.rfind("inner-arc-radius"), std::string::npos);
+  const Outcome run = kerf("run --json " + name + machine);
+  EXPECT_EQ(run.status, 1);
+  // From X-20 to the point beside X0, and no farther than the start of the arc.
+  EXPECT_LE(nlohmann::json::parse(run.out)["moves"], 2);
+}
+
 TEST_F(CommandLine, RunPrintsTheTimes) {
   const Outcome outcome = kerf("run --json --set axes.X.acceleration=1e9 --set axes.Y.acceleration=1e9 " +
                                file("good.nc", kGood));
@@ -202,6 +219,27 @@ TEST_F(CommandLine, AnOutputNeverOverwritesAnInputOrAnotherOutput) {
     EXPECT_FALSE(fs::exists(folder_ / "new")) << arguments;
   }
   EXPECT_EQ(kerf("run " + good + " --plot /dev/null --report /dev/null").status, 0);
+}
+
+TEST_F(CommandLine, ALinkThatLeadsNowhereYetIsFollowed) {
+  fs::create_symlink("real.svg", folder_ / "link.svg");
+  EXPECT_EQ(kerf("run " + file("good.nc", kGood) + " --plot " + path("link.svg")).status, 0);
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link.svg"));
+  EXPECT_NE(contents(folder_ / "real.svg").find("<svg"), std::string::npos);
+}
+
+TEST_F(CommandLine, ALineOfYearsIsRunInNoTime) {
+  // 9000 mm at 0.001 mm/min and back.
+  const Outcome outcome = kerf("run --json --set dgshape.feed_min=0.001 " +
+                               file("slow.nc", "%\nG21G90S5M03\nG01X9000.0F0.001\nX0\nM02\n%\n"));
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NEAR(nlohmann::json::parse(outcome.out)["time_s"].get<double>() / (2.0 * 9000.0 / 0.001 * 60.0), 1.0,
+              1e-6);
+}
+
+TEST_F(CommandLine, TheLetterOForADigitIsNamed) {
+  const Outcome outcome = kerf("check " + file("letter.nc", "%\nG21G90\nGO1X5.0\nM02\n%\n"));
+  EXPECT_NE(outcome.out.find("letter O"), std::string::npos) << outcome.out;
 }
 
 TEST_F(CommandLine, AnInterruptedRunLeavesNoFile) {

@@ -132,11 +132,24 @@ TEST(Toolpath, ChecksTheCompensatedPath) {
     Toolpath toolpath(source, machine(),
                       {toolpath_test::compensation_policy(), TravelLimitPolicy{&kOverTravel, false}});
     std::vector<Action> out;
-    while (const Action* action = toolpath.next()) out.push_back(*action);
+    while (const Action* action = toolpath.next()) {
+      out.push_back(*action);
+      if (std::holds_alternative<Alarm>(action->what)) toolpath.recover();
+    }
     return text_of(out);
   };
   EXPECT_EQ(run(-2), "10,398 | 20,398 | 30,390 | end");
   EXPECT_EQ(run(2), "alarm over-travel | 30,390 | end") << "the second block goes on outside";
+}
+
+TEST(Toolpath, AnAlarmOfAPassIsTheLastAction) {
+  const Program program = Program().left(2).to(10, 400).to(20, 390).none().to(30, 390).end();
+  ListSource source(program.actions());
+  Toolpath toolpath(source, machine(),
+                    {toolpath_test::compensation_policy(), TravelLimitPolicy{&kOverTravel, false}});
+  std::vector<Action> out;
+  while (const Action* action = toolpath.next()) out.push_back(*action);
+  EXPECT_EQ(text_of(out), "alarm over-travel");
 }
 
 TEST(Toolpath, ResetStartsAnew) {

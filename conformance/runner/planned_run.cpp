@@ -67,7 +67,7 @@ class Player {
     }
     change_overrides(cycle_.time_s);
     before_ = cycle_;
-    if (times_s_.empty() && changes_.empty()) trajectory_.skip_waiting();
+    if (times_s_.empty() && changes_.empty()) trajectory_.skip_steady();
   }
 
   void change_overrides(double time_s) {

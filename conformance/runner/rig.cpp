@@ -73,9 +73,7 @@ ProgramRun Rig::run(const ProgramSection& program, const std::string& text) {
     }
     if (const auto* move = std::get_if<Move>(&action->what)) position_ = move->end;
     if (const auto* spindle = std::get_if<Spindle>(&action->what)) spindle_ = *spindle;
-    if (!is_alarm(*action)) continue;
-    if (!recover_) break;
-    interpreter_->recover();
+    if (is_alarm(*action) && recover_) toolpath->recover();
   }
   run.state = interpreter_->state();
   run.work_origin = controller_.rules->work_origin(run.state);

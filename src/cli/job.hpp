@@ -23,7 +23,7 @@ class Job {
 
   const Action* next() { return toolpath_.next(); }
   /// After an alarm: go on with the next block.
-  void recover() { interpreter_.recover(); }
+  void recover() { toolpath_.recover(); }
   const Interpreter& interpreter() const { return interpreter_; }
   /// The text an action came from: the program itself or one it called.
   std::shared_ptr<const Source> source_of(const Action& action) const {

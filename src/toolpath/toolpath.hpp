@@ -17,13 +17,28 @@ class Toolpath {
       : compensated_{&upstream, RadiusCompensationPass(policy.compensation)},
         limits_(machine, policy.limits) {}
 
-  /// The next action, valid until the following call; nullptr at the end.
-  const Action* next() { return limits_.next(compensated_); }
+  /// The next action, valid until the following call; nullptr at the end. An alarm, of the upstream or of a
+  /// pass, is the last action unless recover() is called.
+  const Action* next() {
+    if (stopped_) return nullptr;
+    const Action* action = limits_.next(compensated_);
+    if (action == nullptr) return nullptr;
+    const auto* alarm = std::get_if<Alarm>(&action->what);
+    stopped_ = alarm != nullptr && alarm->kind->severity == Severity::alarm;
+    return action;
+  }
+
+  /// After an alarm: goes on with the next block.
+  void recover() {
+    stopped_ = false;
+    if constexpr (requires { compensated_.upstream->recover(); }) compensated_.upstream->recover();
+  }
 
   /// Back to the start, for a program that begins anew.
   void reset() {
     compensated_.pass.reset();
     limits_.reset();
+    stopped_ = false;
   }
 
  private:
@@ -35,6 +50,7 @@ class Toolpath {
 
   Compensated compensated_;
   TravelLimitPass limits_;
+  bool stopped_ = false;
 };
 
 }  // namespace kerf
