@@ -164,6 +164,11 @@ TEST(Setup, SettingsThatContradictEachOtherAreRefused) {
   EXPECT_NE(refusal({"dgshape.spindle_max=100", "dgshape.spindle_min=200"}).find("is above"),
             std::string::npos);
   EXPECT_EQ(refusal({"dgshape.feed_min=100", "dgshape.feed_max=100"}), "");
+  SetupOptions one_axis;
+  one_axis.machine_text = "[axes.X]\nrapid = 8000\n";
+  const auto made = make_controller(one_axis);
+  ASSERT_FALSE(made.has_value()) << "words of the other axes would be dropped";
+  EXPECT_NE(error_text(made.error()[0]).find("no axis Y"), std::string::npos);
   EXPECT_NE(refusal({"axes.X.limits=[0,10]", "axes.X.home=11"}).find("axes.X.home"), std::string::npos);
 }
 

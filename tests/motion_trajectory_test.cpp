@@ -290,11 +290,38 @@ TEST(Trajectory, WaitingCyclesCanBeSkipped) {
   trajectory.finish();
   Cycle cycle;
   ASSERT_EQ(trajectory.step(cycle), StepResult::cycle);
-  EXPECT_GT(trajectory.skip_waiting(), 999'990U);
+  EXPECT_GT(trajectory.skip_steady(), 999'990U);
   while (trajectory.step(cycle) == StepResult::cycle) {
   }
   EXPECT_EQ(trajectory.cycles(), 1'000'000U);
   EXPECT_NEAR(trajectory.time_s(), 1000.0, 1e-9);
+}
+
+TEST(Trajectory, CyclesOfConstantSpeedCanBeSkipped) {
+  // 100 mm at 60 mm/min: a hundred seconds, all but the ends of it at constant speed.
+  const auto played = [](bool skip) {
+    Trajectory trajectory(machine_with({Axis::X, Axis::Y}), FeedPolicy{});
+    const Path path =
+        Path().line(at({{Axis::X, 100.0}}), 60.0).line(at({{Axis::X, 100.0}, {Axis::Y, 1.0}}), 600.0);
+    for (const Action& action : path.actions()) trajectory.push(action);
+    trajectory.finish();
+    Cycle cycle;
+    std::uint64_t steps = 0;
+    while (trajectory.step(cycle) == StepResult::cycle) {
+      ++steps;
+      if (skip) trajectory.skip_steady();
+    }
+    return std::tuple(trajectory.cycles(), trajectory.time_s(), cycle.position[Axis::Y],
+                      trajectory.extremes().jerk[Axis::X], trajectory.extremes().velocity[Axis::X], steps);
+  };
+  const auto whole = played(false);
+  const auto skipped = played(true);
+  EXPECT_EQ(std::get<0>(skipped), std::get<0>(whole));
+  EXPECT_EQ(std::get<1>(skipped), std::get<1>(whole));
+  EXPECT_EQ(std::get<2>(skipped), std::get<2>(whole));
+  EXPECT_EQ(std::get<3>(skipped), std::get<3>(whole));
+  EXPECT_EQ(std::get<4>(skipped), std::get<4>(whole));
+  EXPECT_LT(std::get<5>(skipped), 1'000U);
 }
 
 }  // namespace

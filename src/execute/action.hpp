@@ -74,7 +74,8 @@ struct Move {
   RotaryFeed rotary_feed;
   AxisVector start;        ///< machine coordinates; where the tool reference point really is
   AxisVector end;          ///< machine coordinates
-  AxisVector commanded;    ///< end in the workpiece coordinate system, before tool compensations
+  AxisVector commanded;    ///< end in the coordinate system the block was written in, before tool
+                           ///< compensations: the workpiece coordinate system, or the machine's for G53
   AxisVector work_origin;  ///< machine coordinates of the workpiece origin the block was written in
   double feed = 0.0;       ///< programmed mm/min, before override; unused for rapid
   Arc arc;                 ///< only when is_arc(mode)

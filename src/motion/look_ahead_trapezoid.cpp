@@ -16,6 +16,12 @@ constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 /// from making a cycle of its own.
 constexpr double kTimeSlack = 1e-9;
 
+/// Steps in which the rest of an arc is looked at, at least.
+constexpr double kArcLooks = 4096.0;
+
+/// More cycles than any run has.
+constexpr double kMostCycles = 1e15;
+
 void keep_largest(AxisVector& largest, const AxisVector& value, double factor) {
   for (std::size_t i = 0; i < kAxisCount; ++i) {
     largest.values[i] = std::max(largest.values[i], std::abs(value.values[i]) * factor);
@@ -229,10 +235,16 @@ void LookAheadTrapezoid::note_arc_point(const ArcPath& arc, const PathPoint& poi
   }
 }
 
-std::uint64_t LookAheadTrapezoid::skip_waiting() {
-  if (!active_ || cycle_open_ || entries_[look_ahead_.front()].kind != EntryKind::wait) return 0;
-  const double whole = std::floor((profile_.time3 - time_) / cycle_s_ - 0.5);
-  if (!(whole >= 1.0)) return 0;
+std::uint64_t LookAheadTrapezoid::skip_steady() {
+  if (!active_ || cycle_open_) return 0;
+  const Entry& entry = entries_[look_ahead_.front()];
+  const bool moves = entry.kind == EntryKind::move;
+  if (entry.kind == EntryKind::passing || (moves && time_ < profile_.time1)) return 0;
+  // One whole cycle is left, so that the next phase finds what it follows.
+  double whole = std::floor(((moves ? profile_.time2 : profile_.time3) - time_) / cycle_s_ - 1.5);
+  if (moves && entry.path.is_arc) whole = std::floor(whole / kArcLooks);
+  if (!(whole >= 1.0 && whole < kMostCycles)) return 0;
+  skipped_ = true;
   time_ += whole * cycle_s_;
   const auto count = static_cast<std::uint64_t>(whole);
   cycles_ += count;
@@ -282,7 +294,8 @@ void LookAheadTrapezoid::fill(Cycle& cycle) {
     static_cast<PathPoint&>(cycle) = {rest_position_, {}, {}};
     cycle.path_speed_mm_min = 0.0;
   }
-  keep_largest(extremes_.jerk, cycle.acceleration - last_acceleration_, cycles_per_s_);
+  if (!skipped_) keep_largest(extremes_.jerk, cycle.acceleration - last_acceleration_, cycles_per_s_);
+  skipped_ = false;
   last_acceleration_ = cycle.acceleration;
 }
 

@@ -42,9 +42,11 @@ class LookAheadTrapezoid {
   void set_feed_override(double percent);
   void set_rapid_override(double percent);
 
-  /// While an action that only takes time is in progress: lets as many cycles pass at once as lie wholly
-  /// inside, and returns their number.
-  std::uint64_t skip_waiting();
+  /// While nothing changes, lets cycles pass at once, and returns their number: all that lie wholly inside an
+  /// action that only takes time or inside the constant speed of a line, and a small share of those on an
+  /// arc, whose extremes are looked at in the others. So any run takes a bounded number of steps for each
+  /// action.
+  std::uint64_t skip_steady();
 
   double time_s() const { return done_s_; }  ///< exact planned time of all finished actions
   std::uint64_t cycles() const { return cycles_; }
@@ -101,6 +103,7 @@ class LookAheadTrapezoid {
   double done_s_ = 0.0;
   std::uint64_t cycles_ = 0;
   AxisVector last_acceleration_;
+  bool skipped_ = false;  ///< last_acceleration_ is not that of the cycle before
   MotionExtremes extremes_;
 };
 

@@ -122,7 +122,7 @@ class Runner {
     if (servo_) {
       options_.on_cycle(cycle_, servo_->step(cycle_.position));
     } else {
-      trajectory_.skip_waiting();
+      trajectory_.skip_steady();
     }
     if (!options_.on_progress || trajectory_.cycles() < next_progress_) return;
     next_progress_ = trajectory_.cycles() + options_.progress_cycles;

@@ -25,8 +25,8 @@ struct RunOptions {
   /// Fill in RunRecord::actions and RunRecord::speed; otherwise only the summary, and nothing is stored per
   /// block.
   bool record = false;
-  /// Called for every control cycle with the positions of the simulated drives. Without it, cycles that only
-  /// wait are counted but not stepped through.
+  /// Called for every control cycle with the positions of the simulated drives. Without it, cycles
+  /// in which nothing changes are counted but not all stepped through.
   std::function<void(const Cycle& cycle, const AxisVector& actual)> on_cycle;
   /// Called about every `progress_cycles` cycles; false ends the run there.
   std::function<bool(const RunProgress&)> on_progress;

@@ -21,7 +21,7 @@ concept TrajectoryLaw = requires(T law, const T& seen, const Action& action, Cyc
   { law.step(cycle, on_block) } -> std::same_as<StepResult>;
   law.set_feed_override(100.0);
   law.set_rapid_override(100.0);
-  { law.skip_waiting() } -> std::same_as<std::uint64_t>;
+  { law.skip_steady() } -> std::same_as<std::uint64_t>;
   { seen.time_s() } -> std::same_as<double>;
   { seen.cycles() } -> std::same_as<std::uint64_t>;
   { seen.extremes() } -> std::same_as<const MotionExtremes&>;
@@ -59,8 +59,8 @@ class Trajectory {
   void set_rapid_override(double percent) {
     std::visit([=](auto& law) { law.set_rapid_override(percent); }, law_);
   }
-  std::uint64_t skip_waiting() {
-    return std::visit([](auto& law) { return law.skip_waiting(); }, law_);
+  std::uint64_t skip_steady() {
+    return std::visit([](auto& law) { return law.skip_steady(); }, law_);
   }
   double time_s() const {
     return std::visit([](const auto& law) { return law.time_s(); }, law_);

@@ -1,11 +1,9 @@
 #include "report/atomic_file.hpp"
 
-#include <array>
 #include <cerrno>
-#include <climits>
-#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <filesystem>
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -47,11 +45,18 @@ tl::unexpected<FileError> failure(const std::string& path, int error) {
   return tl::unexpected(std::move(reason));
 }
 
-/// The place a symbolic link leads to, or the path itself.
+/// The place a symbolic link leads to, whether there is a file yet or not, or the path itself.
 std::string followed(const std::string& path) {
-  std::array<char, PATH_MAX> resolved{};
-  if (::realpath(path.c_str(), resolved.data()) == nullptr) return path;
-  return resolved.data();
+  namespace fs = std::filesystem;
+  constexpr int kMostLinks = 40;
+  std::error_code error;
+  fs::path place = path;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(place, error); ++i) {
+    const fs::path target = fs::read_symlink(place, error);
+    if (error) return path;
+    place = place.parent_path() / target;  // an absolute target replaces the folder
+  }
+  return place.string();
 }
 
 std::string folder_of(const std::string& path) {

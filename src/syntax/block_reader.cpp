@@ -186,7 +186,12 @@ bool BlockReader::read_word(Block& block, const char*& p) {
   const bool any = read_decimal(p, word.number);
   word.column = static_cast<std::uint32_t>(start - line_start_ + 1);
   word.length = static_cast<std::uint32_t>(p - start);
-  if (!any) return fail(SyntaxFault::bad_number, start, word.length);
+  if (!any) {
+    const char c = address_of(*p);
+    const bool letter = p == start + 1 && (c == 'O' || c == 'I');
+    return fail(letter ? SyntaxFault::letter_in_number : SyntaxFault::bad_number, start,
+                word.length + (letter ? 1 : 0));
+  }
   if (negative) word.number.digits = -word.number.digits;
   return true;
 }

@@ -18,11 +18,12 @@ enum class SyntaxFault : std::uint8_t {
   no_data_start,  ///< the text has no block that begins with %
   data_mark,      ///< something stands beside %
   bad_character,
-  bad_number,      ///< an address without a number, or a sign or point alone
-  line_end,        ///< a carriage return without a line feed
-  comment_open,    ///< ( without ) in the same block
-  block_skip,      ///< a slash that is not at the start of the block
-  block_too_long,  ///< more than Block::kMaxWords words
+  letter_in_number,  ///< the letter O or I where a digit is expected
+  bad_number,        ///< an address without a number, or a sign or point alone
+  line_end,          ///< a carriage return without a line feed
+  comment_open,      ///< ( without ) in the same block
+  block_skip,        ///< a slash that is not at the start of the block
+  block_too_long,    ///< more than Block::kMaxWords words
 };
 
 /// A program text as a stream of blocks between two % blocks. A value: copying it keeps the place.

@@ -196,6 +196,7 @@ const AlarmKind& syntax_alarm_kind(SyntaxFault fault) {
       return alarm_kind("data-start");
     case SyntaxFault::bad_character:
       return alarm_kind("bad-character");
+    case SyntaxFault::letter_in_number:
     case SyntaxFault::bad_number:
       return alarm_kind("bad-number");
     case SyntaxFault::line_end:

@@ -200,6 +200,7 @@ bool BlockRun::push_move(MoveMode mode, const AxisVector& target, const Plane& p
   Move& move = push_straight(mode, target, registers, origin_, queue_);
   move.plane = plane;
   move.arc = arc;
+  if (words_[Group::one_shot] == code(53)) move.commanded = move.end;  // written in machine coordinates
   registers.unit_locked = true;
   if (!check_travel(move)) return false;
   move.axis_words = words_.has('X') || words_.has('Y');

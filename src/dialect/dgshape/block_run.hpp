@@ -68,6 +68,7 @@ class BlockRun {
   bool arc();
   bool arc_words(const Plane& plane);
   bool arc_geometry(const Plane& plane, const AxisVector& target, bool clockwise, Arc& out);
+  bool feed_available();
   bool cutting_allowed();
   bool push_rapid(const AxisVector& target);
   bool length_move();

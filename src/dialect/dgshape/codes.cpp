@@ -176,6 +176,7 @@ constexpr std::array kForeignCodes{
     ForeignCode{'G', 5, kCorners},
     ForeignCode{'G', 8, kCorners},
     ForeignCode{'G', 9, kCorners},
+    ForeignCode{'G', 30, "G28 returns to the reference point; there is only one"},
     ForeignCode{'G', 44, "write G43 and enter the tool length with the other sign"},
     ForeignCode{'G', 52, "shift the coordinate system with G92 or G10L2"},
     ForeignCode{'G', 61, kCorners},

@@ -1,5 +1,7 @@
 #include "dialect/dgshape/dialect.hpp"
 
+#include <fmt/format.h>
+
 #include "dialect/dgshape/alarms.hpp"
 #include "dialect/dgshape/codes.hpp"
 #include "dialect/dgshape/rules.hpp"
@@ -15,6 +17,11 @@ std::shared_ptr<const BlockRules> make_rules(const Settings& settings, const Mac
 
 std::vector<SettingsError> contradictions(const Settings& settings) {
   std::vector<SettingsError> errors;
+  for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) {
+    if (settings.axes().contains(axis)) continue;
+    errors.push_back({"axes", 0, 0, fmt::format("the machine has no axis {}", letter(axis)),
+                      "a file with [axes.] tables describes all axes: X, Y and Z, and A when there is one"});
+  }
   for (const auto& error : {wrong_order(settings, "dgshape.feed_min", "dgshape.feed_max"),
                             wrong_order(settings, "dgshape.spindle_min", "dgshape.spindle_max")}) {
     if (error) errors.push_back(*error);

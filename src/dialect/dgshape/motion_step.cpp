@@ -39,14 +39,19 @@ bool BlockRun::length_move() {
   if (registers.length_offset == registers.length_applied) return true;
   // Without an axis word a tool-length block is a move of distance zero plus the offset (manual G43).
   const bool rapid = registers.modal[Group::motion] == code(0);
-  if (!rapid && !cutting_allowed()) return false;
+  // Only the offset moves the axis: nothing is cut, so the spindle may stand still.
+  if (!rapid && !feed_available()) return false;
   if (!push_move(rapid ? MoveMode::rapid : MoveMode::linear, registers.position)) return false;
   last_move().axis_words = false;
   return true;
 }
 
+bool BlockRun::feed_available() {
+  return registers.feed_given || settings_.minimum_feed_without_f || refuse("no-feed", block_.span);
+}
+
 bool BlockRun::cutting_allowed() {
-  if (!registers.feed_given && !settings_.minimum_feed_without_f) return refuse("no-feed", block_.span);
+  if (!feed_available()) return false;
   if (registers.spindle_on) return true;
   if (settings_.spindle_interlock) return refuse("spindle-stopped", block_.span);
   if (!registers.spindle_warned) warn("spindle-off", block_.span);

@@ -118,7 +118,12 @@ void Rules::end_of_data(State& state, ActionQueue& queue) const {
 }
 
 Alarm Rules::syntax_alarm(SyntaxFault fault, const SourceSpan& span) const {
-  return {&syntax_alarm_kind(fault), span, {}, {}};
+  Alarm alarm{&syntax_alarm_kind(fault), span, {}, {}};
+  if (fault == SyntaxFault::letter_in_number) {
+    alarm.message = "A letter stands where the number begins.";
+    alarm.remedy = "Write the digit 0 instead of the letter O, and 1 instead of I.";
+  }
+  return alarm;
 }
 
 AxisVector Rules::work_origin(const State& state) const {

@@ -37,6 +37,7 @@ bool BlockRun::push(MoveMode mode, const AxisVector& target, const Plane& plane,
   Move& move = push_straight(mode, target, registers, workpiece_origin(registers, tables_), queue_);
   move.plane = plane;
   move.arc = arc;
+  if (words_.has(kMachineMove)) move.commanded = move.end;  // written in machine coordinates
   move.exact_stop = words_.has(kExactStop) || registers.modal[Group::path_mode] == code(61);
   const Travel& travel = rules_.travel();
   if (travel.contains(move) || !travel.contains(move.start)) return true;
