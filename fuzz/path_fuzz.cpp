@@ -3,7 +3,6 @@
 // stages are checked: alarms lie inside the text, moves chain without gaps and stay finite, arcs end where
 // they say.
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -37,9 +36,15 @@ void require(bool holds, const char* promise) {
   std::abort();
 }
 
+/// The dialect that is fuzzed: KERF_FUZZ_DIALECT, set by fuzz/run.sh for each folder of seeds.
+std::string fuzzed_dialect() {
+  const char* name = std::getenv("KERF_FUZZ_DIALECT");
+  return name == nullptr ? "dgshape" : name;
+}
+
 Controller controller(std::vector<std::string> assignments) {
   kerf::SetupOptions options;
-  options.dialect = "dgshape";
+  options.dialect = fuzzed_dialect();
   options.assignments = std::move(assignments);
   options.assignments.insert(options.assignments.end(),
                              {"machine.cycle_ms=100", "tools.1.radius=2", "tools.1.length=5"});
@@ -51,21 +56,49 @@ Controller controller(std::vector<std::string> assignments) {
   return std::move(*made);
 }
 
-const Controller& controller_for(std::string_view text) {
-  static const std::array<Controller, 5> kControllers{
-      controller({}),
-      controller({"dgshape.decimal_point=all", "dgshape.offset_type=b", "dgshape.block_skip=true"}),
+std::vector<Controller> dgshape_controllers() {
+  std::vector<Controller> made;
+  made.push_back(controller({}));
+  made.push_back(
+      controller({"dgshape.decimal_point=all", "dgshape.offset_type=b", "dgshape.block_skip=true"}));
+  made.push_back(
       controller({"dgshape.decimal_point=ijkrxyza", "dgshape.over_travel=clip", "dgshape.strict=true",
-                  "axes.X.limits=[-50,200]", "axes.Z.limits=[-20,30]", "offsets.G54.X=10"}),
-      controller({"dgshape.rotary_unit=false", "dgshape.tool_changer=false", "dgshape.air_blower=false",
-                  "dgshape.spindle_interlock=true", "dgshape.no_feed=minimum", "dgshape.optional_stop=true"}),
+                  "axes.X.limits=[-50,200]", "axes.Z.limits=[-20,30]", "offsets.G54.X=10"}));
+  made.push_back(controller({"dgshape.rotary_unit=false", "dgshape.tool_changer=false",
+                             "dgshape.air_blower=false", "dgshape.spindle_interlock=true",
+                             "dgshape.no_feed=minimum", "dgshape.optional_stop=true"}));
+  made.push_back(
       controller({"dgshape.decimal_point=f", "dgshape.cycle_spindle_stop=true",
                   "dgshape.cycle_no_peck=single", "dgshape.rapid_axes=2", "dgshape.rapid_axes_over=split",
-                  "dgshape.g10_volatile=true", "dgshape.shift_volatile=true", "dgshape.arc_tolerance=0"}),
-  };
+                  "dgshape.g10_volatile=true", "dgshape.shift_volatile=true", "dgshape.arc_tolerance=0"}));
+  return made;
+}
+
+std::vector<Controller> melsec_controllers() {
+  std::vector<Controller> made;
+  made.push_back(
+      controller({"melsec.system.common_system_points=400", "melsec.system.local_start_device=D7000",
+                  "melsec.system.initial_absolute_mode=G90"}));
+  made.push_back(controller({"melsec.system.common_all_points=3", "melsec.system.base_axis_k=none",
+                             "melsec.keep_arguments=true", "axes.X.limits=[-50,200]", "offsets.G54.X=10"}));
+  return made;
+}
+
+const Controller& controller_for(std::string_view text) {
+  static const std::vector<Controller> kControllers =
+      fuzzed_dialect() == "melsec" ? melsec_controllers() : dgshape_controllers();
   std::uint32_t hash = 2166136261U;  // FNV-1a
   for (char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
   return kControllers[hash % kControllers.size()];
+}
+
+/// The program may call itself under three numbers.
+kerf::InterpreterOptions options_of(const Controller& controller,
+                                    const std::shared_ptr<const kerf::Source>& source) {
+  kerf::InterpreterOptions options = controller.interpreter_options;
+  options.most_rounds = 5'000;
+  options.programs = [source](std::int32_t number) { return number <= 3 ? source : nullptr; };
+  return options;
 }
 
 bool is_finite(const kerf::AxisVector& position) {
@@ -126,7 +159,7 @@ class Promises {
 };
 
 void walk_path(const Controller& controller, const std::shared_ptr<const kerf::Source>& source) {
-  kerf::Interpreter interpreter(controller.rules, source, controller.interpreter_options);
+  kerf::Interpreter interpreter(controller.rules, source, options_of(controller, source));
   const auto path = std::make_unique<kerf::Toolpath<kerf::Interpreter>>(interpreter, controller.machine,
                                                                         controller.toolpath_policy);
   Promises promises(source->text());
@@ -144,7 +177,7 @@ void walk_path(const Controller& controller, const std::shared_ptr<const kerf::S
 }
 
 void run_motion(const Controller& controller, const std::shared_ptr<const kerf::Source>& source) {
-  kerf::Interpreter interpreter(controller.rules, source, controller.interpreter_options);
+  kerf::Interpreter interpreter(controller.rules, source, options_of(controller, source));
   const auto path = std::make_unique<kerf::Toolpath<kerf::Interpreter>>(interpreter, controller.machine,
                                                                         controller.toolpath_policy);
   int actions = 0;

@@ -19,7 +19,7 @@ for source in fuzz/*_fuzz.cpp; do
     dialect=$(basename "$corpus")
     found=build/fuzz/$target/$dialect
     mkdir -p "$found"
-    ASAN_OPTIONS=allow_addr2line=1 kerf_step "fuzzing $target with the $dialect seeds for $seconds s" \
+    KERF_FUZZ_DIALECT=$dialect ASAN_OPTIONS=allow_addr2line=1 kerf_step "fuzzing $target with the $dialect seeds for $seconds s" \
       "build/fuzz/$target-$dialect.log" \
       "build/asan/fuzz/kerf_$target" "$found" "$corpus" -dict="fuzz/$dialect.dict" -seed=1 -max_len=4096 \
       -timeout=10 -rss_limit_mb=2048 -artifact_prefix="$found/" -max_total_time="$seconds" || status=1

@@ -10,11 +10,17 @@ Interpreter::Interpreter(std::shared_ptr<const BlockRules> rules, std::shared_pt
       feed_(rules_->open(std::move(source), options.programs)),
       options_(std::move(options)),
       state_(rules_->initial_state()) {
+  limit_rounds();
   rules_->begin_program(state_);
+}
+
+void Interpreter::limit_rounds() {
+  if (auto* flow = std::get_if<ProgramFlow>(&feed_)) flow->limit_rounds(options_.most_rounds);
 }
 
 void Interpreter::load(std::shared_ptr<const Source> source, const AxisVector& position) {
   feed_ = rules_->open(std::move(source), options_.programs);
+  limit_rounds();
   queue_.clear();
   effects_ = {};
   blocks_ = 0;

@@ -13,6 +13,7 @@ namespace kerf {
 
 struct InterpreterOptions {
   bool block_skip = false;                                       ///< leave out blocks marked with a slash
+  std::uint32_t most_rounds = ProgramFlow::kMostRounds;          ///< see ProgramFlow
   ProgramTexts programs = [](std::int32_t) { return nullptr; };  ///< what may be called
 };
 
@@ -42,6 +43,7 @@ class Interpreter {
   std::uint32_t blocks() const { return blocks_; }
 
  private:
+  void limit_rounds();
   void read_block(BlockReader& reader);
   void read_block(ProgramFlow& flow);
   void execute_block();

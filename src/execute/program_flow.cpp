@@ -154,8 +154,12 @@ ProgramFlow::Step ProgramFlow::assign(const Statement& statement, MacroVariables
   return Step::on;
 }
 
+bool ProgramFlow::count_round() {
+  return ++rounds_ <= most_rounds_;
+}
+
 ProgramFlow::Step ProgramFlow::jump(StatementIndex target) {
-  if (target <= here().next && ++jumps_back_ > kMostJumpsBack) return fail(FlowFault::endless);
+  if (target <= here().next && !count_round()) return fail(FlowFault::endless);
   here().next = target;
   return Step::on;
 }
@@ -268,6 +272,7 @@ std::size_t ProgramFlow::macro_depth() const {
 ProgramFlow::Result ProgramFlow::call(const FlowRequest& request, MacroVariables& variables) {
   const bool macro = request.kind == FlowRequest::Kind::macro_call;
   if (request.repetitions <= 0) return Result::block;
+  if (!count_round()) return refuse(FlowFault::endless);
   if (macro && macro_depth() >= kMacroCalls) return refuse(FlowFault::macro_depth);
   if (frames_.full()) return refuse(FlowFault::call_depth);
   auto called =
@@ -303,6 +308,7 @@ ProgramFlow::Result ProgramFlow::go_back(const FlowRequest& request, MacroVariab
   frame.loops.clear();
   frame.ranges.clear();
   if (frame.repetitions_left > 0) {
+    if (!count_round()) return refuse(FlowFault::endless);
     --frame.repetitions_left;
     frame.next = frame.entry;
     return Result::block;

@@ -61,8 +61,8 @@ class ProgramFlow {
   static constexpr std::size_t kMacroCalls = MacroVariables::kLevels - 1;
   static constexpr std::size_t kLoops = 27;   ///< nested, over all programs
   static constexpr std::size_t kRanges = 10;  ///< IFs nested in one program
-  /// Jumps back after which a program counts as endless: seconds of work.
-  static constexpr std::uint32_t kMostJumpsBack = 100'000'000;
+  /// Jumps back, repetitions and calls after which a program counts as endless: seconds of work.
+  static constexpr std::uint32_t kMostRounds = 100'000'000;
 
   enum class Result : std::uint8_t { block, end, fault };
 
@@ -71,6 +71,8 @@ class ProgramFlow {
   /// Goes on to the next block for the block rules. After `fault` the way goes on behind the faulty block.
   /// `end`: a program ended without a word that ends it.
   Result next(Block& block, MacroVariables& variables);
+  /// Another number of rounds than kMostRounds.
+  void limit_rounds(std::uint32_t most) { most_rounds_ = most; }
   /// Carries out what the block just executed asks for.
   Result carry_out(const FlowRequest& request, MacroVariables& variables);
   /// The program ends at this place: a fault when a loop around it has no END.
@@ -105,6 +107,8 @@ class ProgramFlow {
   Step end_loop(const Statement& statement);
   Step fill(const Statement& statement, Block& block, const MacroVariables& variables);
   Step jump(StatementIndex target);
+  /// Counts a jump back, a repetition or a call; false when there were too many.
+  bool count_round();
   Step evaluate_condition(const ExpressionRef& condition, const MacroVariables& variables, bool& holds);
   Step compute(const ExpressionRef& expression, const MacroVariables& variables, double& value);
   Result call(const FlowRequest& request, MacroVariables& variables);
@@ -123,7 +127,8 @@ class ProgramFlow {
   FixedVector<Frame, kCalls + 1> frames_;
   ProgramFinder finder_;
   FlowAlarms alarms_;
-  std::uint32_t jumps_back_ = 0;
+  std::uint32_t rounds_ = 0;
+  std::uint32_t most_rounds_ = kMostRounds;
   StatementFault fault_;
   SourceSpan span_;
   std::int32_t sequence_number_ = -1;
