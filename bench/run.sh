@@ -66,7 +66,7 @@ measure() {
       if ($2 > memory) memory = $2
     }
     END {
-      if (median == 0) median = 0.005  # below the clock's step
+      if (median == 0) median = 0.005  # below the step of the clock
       ratio = base == "" ? "1.0" : sprintf("%.1f", median / (base == 0 ? 0.005 : base))
       printf "| `%s` | %.2f | %.2f to %.2f | %.2f | %.0f | %s |\n", name, median, min, max,
              lines / median / 1e6, memory, ratio

@@ -8,7 +8,7 @@
 namespace kerf::melsec {
 
 /// Largest program file, bytes (manual 5.1).
-inline constexpr std::size_t kLargestProgram = 512 * 1024;
+inline constexpr std::size_t kLargestProgram = std::size_t{512} * 1024;
 
 /// Compiles any text: what is wrong with a block becomes a fault that is raised when the block is reached,
 /// and what is wrong with the file (no % lines, too large) a fault of its first statement, since the
