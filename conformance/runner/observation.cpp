@@ -110,7 +110,7 @@ struct Describe {
     return true;
   }
   bool operator()(const Alarm& alarm) const {
-    event.name = alarm.kind->severity == Severity::warning ? "warning" : "alarm";
+    event.name = stops_program(alarm) ? "alarm" : "warning";
     event.words.emplace_back(alarm.kind->detail);
     return true;
   }

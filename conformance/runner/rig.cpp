@@ -19,11 +19,6 @@ Entry refusal(const SettingsError& error) {
   return event;
 }
 
-bool is_alarm(const Action& action) {
-  const auto* alarm = std::get_if<Alarm>(&action.what);
-  return alarm != nullptr && alarm->kind->severity != Severity::warning;
-}
-
 }  // namespace
 
 tl::expected<Rig, Entry> Rig::make(const Case& test, const std::string& dialect) {
@@ -73,7 +68,7 @@ ProgramRun Rig::run(const ProgramSection& program, const std::string& text) {
     }
     if (const auto* move = std::get_if<Move>(&action->what)) position_ = move->end;
     if (const auto* spindle = std::get_if<Spindle>(&action->what)) spindle_ = *spindle;
-    if (is_alarm(*action) && recover_) toolpath->recover();
+    if (stops_program(*action) && recover_) toolpath->recover();
   }
   run.state = interpreter_->state();
   run.work_origin = controller_.rules->work_origin(run.state);

@@ -1,7 +1,10 @@
 #pragma once
 // Alarms: what a controller says when it refuses a program, and where.
 
+#include <algorithm>
+#include <cassert>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 #include "base/fixed_text.hpp"
@@ -29,6 +32,19 @@ struct Alarm {
   FixedText<200> message;  ///< what is wrong here, with the values; empty: the kind's cause says it all
   FixedText<200> remedy;   ///< empty: the kind's remedy
 };
+
+/// The row of a detail; asking for one that is not in the catalogue is a bug.
+inline const AlarmKind& find_alarm(std::span<const AlarmKind> catalogue, std::string_view detail) {
+  const auto row = std::find_if(catalogue.begin(), catalogue.end(),
+                                [&](const AlarmKind& kind) { return kind.detail == detail; });
+  assert(row != catalogue.end());
+  return *row;
+}
+
+/// An alarm stops the program; a warning is only told.
+inline bool stops_program(const Alarm& alarm) {
+  return alarm.kind->severity == Severity::alarm;
+}
 
 inline std::string_view message_of(const Alarm& alarm) {
   return alarm.message.empty() ? alarm.kind->cause : alarm.message.view();

@@ -30,7 +30,7 @@ Counts check_program(const Prepared& prepared, const CheckOptions& options, Resu
     if ((++seen & 0xFFFU) == 0) progress.show(share_read(source, *action), source.name());
     const auto* alarm = std::get_if<Alarm>(&action->what);
     if (alarm == nullptr) continue;
-    const bool stops = alarm->kind->severity == Severity::alarm;
+    const bool stops = stops_program(*alarm);
     (stops ? counts.alarms : counts.warnings) += 1;
     const auto place = job->source_of(*action);
     append_diagnostic(out.text(), place->name(), place->text(), *alarm, style);

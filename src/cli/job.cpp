@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "machine/settings_file.hpp"
+#include "report/diagnostic.hpp"
 
 namespace kerf {
 namespace {
@@ -29,14 +31,14 @@ bool read_machine_file(const CommonOptions& options, SetupOptions& setup) {
   return true;
 }
 
-std::optional<Controller> make(const CommonOptions& options, std::string_view name, std::string_view text) {
+std::optional<Controller> make(const CommonOptions& options, std::string_view name) {
   SetupOptions setup;
   setup.dialect = options.dialect;
   setup.assignments = options.assignments;
   setup.optional_stop = options.optional_stop;
   setup.block_skip = options.block_skip;
   if (!read_machine_file(options, setup)) return std::nullopt;
-  auto controller = make_controller(setup, name, text);
+  auto controller = make_controller(setup, name);
   if (!controller) {
     for (const SettingsError& error : controller.error()) print_error(error_text(error));
     return std::nullopt;
@@ -83,7 +85,7 @@ std::optional<Prepared> prepare(const std::string& file, const CommonOptions& op
     print_error(*why, "name a text file with NC code");
     return std::nullopt;
   }
-  auto controller = make(options, file, (*source)->text());
+  auto controller = make(options, file);
   if (!controller) return std::nullopt;
   controller->interpreter_options.programs =
       programs_in(options.program_dir ? std::filesystem::path(*options.program_dir)
@@ -96,7 +98,15 @@ std::optional<Prepared> prepare(const std::string& file, const CommonOptions& op
 }
 
 std::optional<Controller> prepare_controller(const CommonOptions& options) {
-  return make(options, {}, {});
+  return make(options, {});
+}
+
+void print_alarm(const Action& action, const Job& job, const CommonOptions& options) {
+  const auto* alarm = std::get_if<Alarm>(&action.what);
+  if (alarm == nullptr) return;
+  const auto source = job.source_of(action);
+  const DiagnosticStyle style = style_of_stream(STDERR_FILENO, options.color);
+  fmt::print(stderr, "{}\n", diagnostic_text(source->name(), source->text(), *alarm, style));
 }
 
 double share_read(const Source& source, const Action& action) {

@@ -47,6 +47,10 @@ std::optional<Prepared> prepare(const std::string& file, const CommonOptions& op
 /// The controller alone, for commands without a program.
 std::optional<Controller> prepare_controller(const CommonOptions& options);
 
+/// Prints an alarm or a warning on standard error when the action is one, with the text of the program it
+/// came from.
+void print_alarm(const Action& action, const Job& job, const CommonOptions& options);
+
 /// The share of the program read when an action came, 0 to 1.
 double share_read(const Source& source, const Action& action);
 

@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 #include <memory>
-#include <unistd.h>
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/exit_status.hpp"
 #include "cli/job.hpp"
-#include "report/diagnostic.hpp"
 #include "report/json_lines.hpp"
 #include "report/path_table.hpp"
 
@@ -28,7 +26,7 @@ struct PathCounts {
       rapid += move->mode == MoveMode::rapid ? 1 : 0;
       arcs += is_arc(move->mode) ? 1 : 0;
     } else if (const auto* alarm = std::get_if<Alarm>(&action.what)) {
-      (alarm->kind->severity == Severity::alarm ? alarms : warnings) += 1;
+      (stops_program(*alarm) ? alarms : warnings) += 1;
     }
   }
 };
@@ -47,15 +45,6 @@ PathCounts pull(Job& job, const Source& source, Visit visit) {
   return counts;
 }
 
-void report_alarm(const Action& action, const Job& job, const PathOptions& options) {
-  const auto* alarm = std::get_if<Alarm>(&action.what);
-  if (alarm == nullptr) return;
-  const auto source = job.source_of(action);
-  const std::string text = diagnostic_text(source->name(), source->text(), *alarm,
-                                           style_of_stream(STDERR_FILENO, options.common.color));
-  fmt::print(stderr, "{}", text);
-}
-
 PathCounts print_path(const PathOptions& options, const Prepared& prepared, Job& job, ResultStream& out) {
   const Source& source = *prepared.source;
   const FeedPolicy& policy = prepared.controller.feed_policy;
@@ -72,7 +61,7 @@ PathCounts print_path(const PathOptions& options, const Prepared& prepared, Job&
   return pull(job, source, [&](const Action& action) {
     table.write(action, out.text());
     out.overflow();
-    report_alarm(action, job, options);
+    print_alarm(action, job, options.common);
   });
 }
 
@@ -85,8 +74,8 @@ int path_command(const PathOptions& options) {
   const auto job = std::make_unique<Job>(prepared->controller, prepared->source);
   PathCounts counts;
   if (options.quiet) {
-    counts =
-        pull(*job, *prepared->source, [&](const Action& action) { report_alarm(action, *job, options); });
+    counts = pull(*job, *prepared->source,
+                  [&](const Action& action) { print_alarm(action, *job, options.common); });
     out.text() += fmt::format("blocks {}\nmoves {}\nrapid {}\narcs {}\nwarnings {}\nalarms {}\n",
                               job->interpreter().blocks(), counts.moves, counts.rapid, counts.arcs,
                               counts.warnings, counts.alarms);

@@ -2,12 +2,12 @@
 
 #include "motion/run.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
 #include <memory>
 #include <optional>
 #include <thread>
-#include <unistd.h>
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
@@ -17,7 +17,6 @@
 #include "cli/job.hpp"
 #include "cli/version.hpp"
 #include "report/atomic_file.hpp"
-#include "report/diagnostic.hpp"
 #include "report/html_report.hpp"
 #include "report/summary.hpp"
 #include "report/svg_plot.hpp"
@@ -140,16 +139,6 @@ bool write_whole(AtomicFile& file, std::string_view text) {
   return true;
 }
 
-/// Prints an alarm when it comes, with the text of the program it came from.
-void report_alarm(const Action& action, const Job& job, const RunCommandOptions& options) {
-  const auto* alarm = std::get_if<Alarm>(&action.what);
-  if (alarm == nullptr) return;
-  const auto source = job.source_of(action);
-  fmt::print(stderr, "{}\n",
-             diagnostic_text(source->name(), source->text(), *alarm,
-                             style_of_stream(STDERR_FILENO, options.common.color)));
-}
-
 RunRecord play(const RunCommandOptions& options, const Prepared& prepared, Job& job, Outputs& outputs) {
   ProgressLine progress;
   Pace pace;
@@ -173,7 +162,7 @@ RunRecord play(const RunCommandOptions& options, const Prepared& prepared, Job& 
     const Action* action = job.next();
     if (action == nullptr) return nullptr;
     if ((++seen & 0xFFU) == 0) share = share_read(*prepared.source, *action);
-    report_alarm(*action, job, options);
+    print_alarm(*action, job, options.common);
     return action;
   };
   return run(next, prepared.controller.machine, prepared.controller.feed_policy, run_options);
@@ -203,10 +192,9 @@ bool write_pictures(const RunCommandOptions& options, const Prepared& prepared, 
 }
 
 int status_of(const RunSummary& summary) {
-  for (const Alarm& alarm : summary.alarms) {
-    if (alarm.kind->severity == Severity::alarm) return kExitAlarm;
-  }
-  return summary.stalled ? kExitAlarm : kExitGood;
+  const bool alarm = std::any_of(summary.alarms.begin(), summary.alarms.end(),
+                                 [](const Alarm& raised) { return stops_program(raised); });
+  return alarm || summary.stalled ? kExitAlarm : kExitGood;
 }
 
 }  // namespace

@@ -19,8 +19,9 @@
 namespace kerf {
 
 struct Dialect {
-  std::string_view name;   ///< as in `--dialect` and the machine file
-  std::string_view title;  ///< the controller's name
+  std::string_view name;            ///< as in `--dialect` and the machine file
+  std::string_view title;           ///< the controller's name
+  std::string_view file_extension;  ///< of its programs, with the dot; empty: any
   std::span<const AlarmKind> alarms;
   std::span<const CodeRow> codes;
   std::span<const Parameter> parameters;      ///< its own machine-file keys
@@ -28,7 +29,7 @@ struct Dialect {
   std::string_view optional_stop_key;  ///< machine-file key that `--optional-stop` switches on; empty: none
   std::string_view block_skip_key;     ///< machine-file key that `--block-skip` switches on; empty: none
 
-  /// Settings of its own that do not go together.
+  /// Settings of its own that do not go together; null: all do.
   std::vector<SettingsError> (*contradictions)(const Settings&) = nullptr;
   std::shared_ptr<const BlockRules> (*rules)(const Settings&, const Machine&) = nullptr;
   FeedPolicy (*feed_policy)(const Settings&) = nullptr;
@@ -41,9 +42,9 @@ std::span<const Dialect> dialects();
 /// The dialect of that name, or null.
 const Dialect* find_dialect(std::string_view name);
 
-/// The dialect a program is written in, judged by its name: MELSEC for .gcd, otherwise DGSHAPE, whose alarms
-/// say what is wrong with a text that is no program.
-const Dialect& detect_dialect(std::string_view file_name, std::string_view text);
+/// The dialect a program is written in, judged by the extension of its name; without one that tells, the
+/// first dialect that has none, whose alarms say what is wrong with a text that is no program.
+const Dialect& detect_dialect(std::string_view file_name);
 
 /// Every machine-file key of a dialect.
 Schema schema_of(const Dialect& dialect);

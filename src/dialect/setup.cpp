@@ -20,8 +20,7 @@ SettingsError unknown_dialect(std::string_view name, const ValueOrigin& place) {
 }
 
 tl::expected<const Dialect*, SettingsError> choose_dialect(const SetupOptions& options,
-                                                           std::string_view program_name,
-                                                           std::string_view program_text) {
+                                                           std::string_view program_name) {
   std::optional<std::string> name = options.dialect;
   ValueOrigin place;
   place.file = "--dialect";
@@ -31,7 +30,7 @@ tl::expected<const Dialect*, SettingsError> choose_dialect(const SetupOptions& o
       place = std::move(said->place);
     }
   }
-  if (!name) return &detect_dialect(program_name, program_text);
+  if (!name) return &detect_dialect(program_name);
   const Dialect* found = find_dialect(*name);
   if (found == nullptr) return tl::unexpected(unknown_dialect(*name, place));
   return found;
@@ -40,9 +39,8 @@ tl::expected<const Dialect*, SettingsError> choose_dialect(const SetupOptions& o
 }  // namespace
 
 tl::expected<Controller, std::vector<SettingsError>> make_controller(const SetupOptions& options,
-                                                                     std::string_view program_name,
-                                                                     std::string_view program_text) {
-  const auto dialect = choose_dialect(options, program_name, program_text);
+                                                                     std::string_view program_name) {
+  const auto dialect = choose_dialect(options, program_name);
   if (!dialect) return tl::unexpected(std::vector{dialect.error()});
   Settings settings = Settings::defaults(schema_of(**dialect));
   std::vector<SettingsError> errors;
@@ -64,7 +62,7 @@ tl::expected<Controller, std::vector<SettingsError>> make_controller(const Setup
   auto machine = build_machine(settings);
   if (!machine) return tl::unexpected(std::move(machine.error()));
 
-  errors = (*dialect)->contradictions(settings);
+  if (chosen.contradictions != nullptr) errors = chosen.contradictions(settings);
   if (!errors.empty()) return tl::unexpected(std::move(errors));
   auto rules = (*dialect)->rules(settings, *machine);
   const FeedPolicy feed = (*dialect)->feed_policy(settings);

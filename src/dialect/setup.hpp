@@ -35,7 +35,6 @@ struct Controller {
 
 /// Errors are those of the machine file and the assignments, all in one pass.
 tl::expected<Controller, std::vector<SettingsError>> make_controller(const SetupOptions& options,
-                                                                     std::string_view program_name = {},
-                                                                     std::string_view program_text = {});
+                                                                     std::string_view program_name = {});
 
 }  // namespace kerf

@@ -125,4 +125,10 @@ struct Action {
   ActionVariant what;
 };
 
+/// Whether the program stops with this action: it is an alarm and not just a warning.
+inline bool stops_program(const Action& action) {
+  const auto* alarm = std::get_if<Alarm>(&action.what);
+  return alarm != nullptr && stops_program(*alarm);
+}
+
 }  // namespace kerf

@@ -1,6 +1,7 @@
 #include "execute/code_table.hpp"
 
 #include <algorithm>
+#include <charconv>
 
 #include "base/edit_distance.hpp"
 
@@ -22,6 +23,19 @@ const CodeRow* find_code(std::span<const CodeRow> rows, char letter, CodeNumber 
     return candidate.letter == letter && candidate.number == number && candidate.word.size() > 1;
   });
   return row == rows.end() ? nullptr : &*row;
+}
+
+CodeNumber code_named(std::string_view word) {
+  if (word.empty()) return kNoCode;
+  const char* const end = word.data() + word.size();
+  int whole = 0;
+  int tenth = 0;
+  auto read = std::from_chars(word.data() + 1, end, whole);
+  if (read.ec == std::errc{} && read.ptr != end && *read.ptr == '.')
+    read = std::from_chars(read.ptr + 1, end, tenth);
+  const bool good =
+      read.ec == std::errc{} && read.ptr == end && whole >= 0 && whole < 1000 && tenth >= 0 && tenth < 10;
+  return good ? code(whole, tenth) : kNoCode;
 }
 
 FixedText<200> nearest_code(std::span<const CodeRow> rows, char letter, std::int64_t number) {

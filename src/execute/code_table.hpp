@@ -26,6 +26,9 @@ struct CodeRow {
 /// The row of a code, or null. Linear in the rows of the letter; the interpreter builds its own index.
 const CodeRow* find_code(std::span<const CodeRow> rows, char letter, CodeNumber number);
 
+/// The number of a code as it is written, like G90 or G40.1; kNoCode when it is none.
+CodeNumber code_named(std::string_view word);
+
 /// A remedy for an unknown code: the one code of the table from which it differs by a missing, doubled or
 /// swapped digit ("did you mean G54?"). Empty when there is none or more than one; a code with one digit
 /// different is simply another code.

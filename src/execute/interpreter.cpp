@@ -39,8 +39,7 @@ const Action* Interpreter::next() {
   for (;;) {
     if (!queue_.empty()) {
       const Action& action = queue_.pop();
-      const auto* alarm = std::get_if<Alarm>(&action.what);
-      if (alarm != nullptr && alarm->kind->severity == Severity::alarm) stopped_ = true;
+      if (stops_program(action)) stopped_ = true;
       return &action;
     }
     if (stopped_) return nullptr;
@@ -101,26 +100,30 @@ void Interpreter::read_block(BlockReader& reader) {
 
 void Interpreter::read_block(ProgramFlow& flow) {
   refused_ = false;
-  FlowRequest& request = effects_.flow;
-  auto result = ProgramFlow::Result::block;
-  if (request.kind != FlowRequest::Kind::none) {
-    result = flow.carry_out(request, state_.variables);
-    request.kind = FlowRequest::Kind::none;
-  }
-  if (result == ProgramFlow::Result::block) result = flow.next(block_, state_.variables);
+  ProgramFlow::Result result = next_block(flow);
   Registers& registers = state_.registers;
   registers.program = flow.program().number;
   if (flow.sequence_number() >= 0) registers.sequence_number = flow.sequence_number();
+  if (result == ProgramFlow::Result::end) reach_end(flow.span());
   if (result == ProgramFlow::Result::block) {
     execute_block();
     if (finished_) result = flow.finish();
-    if (result == ProgramFlow::Result::fault) queue_.roll_back();
-  } else if (result == ProgramFlow::Result::end) {
-    reach_end(flow.span());
   }
   if (result != ProgramFlow::Result::fault) return;
+  // What a block gave that ends the program inside an open loop goes back: the alarm is all there is.
+  queue_.roll_back();
   queue_.begin({flow.span(), blocks_, registers.program, registers.sequence_number});
   queue_.push<Alarm>() = {flow.fault().kind, flow.fault().span, {}, {}};
+}
+
+ProgramFlow::Result Interpreter::next_block(ProgramFlow& flow) {
+  FlowRequest& request = effects_.flow;
+  if (request.kind != FlowRequest::Kind::none) {
+    const ProgramFlow::Result result = flow.carry_out(request, state_.variables);
+    request.kind = FlowRequest::Kind::none;
+    if (result != ProgramFlow::Result::block) return result;
+  }
+  return flow.next(block_, state_.variables);
 }
 
 }  // namespace kerf

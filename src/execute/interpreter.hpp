@@ -46,6 +46,8 @@ class Interpreter {
   void limit_rounds();
   void read_block(BlockReader& reader);
   void read_block(ProgramFlow& flow);
+  /// Does what the last block asked for, then goes on to the next block.
+  ProgramFlow::Result next_block(ProgramFlow& flow);
   void execute_block();
   void reach_end(const SourceSpan& place);
 

@@ -35,7 +35,7 @@ constexpr CodeNumber code(int whole, int tenth = 0) {
   return static_cast<CodeNumber>(whole * 10 + tenth);
 }
 
-/// Of a group that the dialect does not have.
+/// No code: of a group that the dialect does not have, or that a block does not name.
 inline constexpr CodeNumber kNoCode = 0xFFFF;
 
 /// The G code in force in each group.

@@ -31,7 +31,6 @@ struct FlowRequest {
   bool keep_locals = false;          ///< locals without an argument keep their values instead of becoming 0
   std::uint64_t given = 0;           ///< bit i - 1: argument for the local variable i
   MacroVariables::Locals arguments{};
-  SourceSpan span;  ///< of the block
 };
 
 /// What can be wrong on the way.

@@ -46,8 +46,7 @@ Pause pause_of(const ActionVariant& what) {
   if (const auto* spindle = std::get_if<Spindle>(&what)) return {BlockKind::spindle, spindle->seconds, true};
   if (const auto* tool = std::get_if<ToolChange>(&what)) return {BlockKind::tool_change, tool->seconds, true};
   if (const auto* alarm = std::get_if<Alarm>(&what)) {
-    const bool warning = alarm->kind != nullptr && alarm->kind->severity == Severity::warning;
-    return {BlockKind::other, 0.0, !warning};
+    return {BlockKind::other, 0.0, stops_program(*alarm)};
   }
   if (std::holds_alternative<CornerArc>(what)) return {BlockKind::other, 0.0, false};
   return {};

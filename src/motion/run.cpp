@@ -80,7 +80,7 @@ class Runner {
       return;
     }
     record_.truncated = true;
-    if (alarm.kind->severity != Severity::warning) alarms.back() = alarm;
+    if (stops_program(alarm)) alarms.back() = alarm;
   }
 
   /// Books a finished action. They finish in the order they were pushed.

@@ -112,8 +112,7 @@ char kind_letter(const ActionVariant& what) {
         return 'a';
     }
   }
-  if (const auto* alarm = std::get_if<Alarm>(&what))
-    return alarm->kind->severity == Severity::alarm ? 'x' : 'w';
+  if (const auto* alarm = std::get_if<Alarm>(&what)) return stops_program(*alarm) ? 'x' : 'w';
   return 'o';
 }
 

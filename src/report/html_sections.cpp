@@ -114,9 +114,8 @@ void append_alarm(std::string& out, const ReportInput& input, const Alarm& alarm
 }  // namespace
 
 void append_cards(std::string& out, const RunSummary& summary) {
-  const auto alarms = std::count_if(summary.alarms.begin(), summary.alarms.end(), [](const Alarm& alarm) {
-    return alarm.kind->severity == Severity::alarm;
-  });
+  const auto alarms = std::count_if(summary.alarms.begin(), summary.alarms.end(),
+                                    [](const Alarm& alarm) { return stops_program(alarm); });
   const auto warnings = static_cast<std::ptrdiff_t>(summary.alarms.size()) - alarms;
   out += "<dl class=\"cards\">\n";
   append_time_card(out, summary);

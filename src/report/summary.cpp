@@ -55,9 +55,9 @@ void append_axes(std::string& out, const RunSummary& summary, const Machine& mac
 }
 
 void append_alarm_count(std::string& out, const RunSummary& summary) {
-  const auto warnings = static_cast<std::size_t>(
-      std::count_if(summary.alarms.begin(), summary.alarms.end(),
-                    [](const Alarm& alarm) { return alarm.kind->severity == Severity::warning; }));
+  const auto warnings =
+      static_cast<std::size_t>(std::count_if(summary.alarms.begin(), summary.alarms.end(),
+                                             [](const Alarm& alarm) { return !stops_program(alarm); }));
   out += fmt::format("alarms {}, warnings {}\n", summary.alarms.size() - warnings, warnings);
 }
 

@@ -30,12 +30,4 @@ StatementIndex CompiledProgram::find_first(std::int32_t wanted) const {
   return first == last ? kNoStatement : first->statement;
 }
 
-bool CompiledProgram::in_loop(StatementIndex statement, std::int16_t loop) const {
-  for (std::int16_t around = statements[statement].loop; around >= 0;
-       around = loops[static_cast<std::size_t>(around)].parent) {
-    if (around == loop) return true;
-  }
-  return false;
-}
-
 }  // namespace kerf

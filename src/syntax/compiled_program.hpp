@@ -87,8 +87,6 @@ struct CompiledProgram {
   StatementIndex find_label(std::int32_t wanted, StatementIndex from) const;
   /// The first statement with the sequence number, from the start of the program; kNoStatement without one.
   StatementIndex find_first(std::int32_t wanted) const;
-  /// Whether a loop lies around a statement, directly or with others between.
-  bool in_loop(StatementIndex statement, std::int16_t loop) const;
 };
 
 }  // namespace kerf

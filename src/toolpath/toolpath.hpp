@@ -22,9 +22,7 @@ class Toolpath {
   const Action* next() {
     if (stopped_) return nullptr;
     const Action* action = limits_.next(compensated_);
-    if (action == nullptr) return nullptr;
-    const auto* alarm = std::get_if<Alarm>(&action->what);
-    stopped_ = alarm != nullptr && alarm->kind->severity == Severity::alarm;
+    stopped_ = action != nullptr && stops_program(*action);
     return action;
   }
 

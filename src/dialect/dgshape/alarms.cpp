@@ -1,8 +1,6 @@
 #include "dialect/dgshape/alarms.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cassert>
 
 namespace kerf::dgshape {
 namespace {
@@ -180,10 +178,7 @@ std::span<const AlarmKind> alarm_catalogue() {
 }
 
 const AlarmKind& alarm_kind(std::string_view detail) {
-  const auto* row = std::find_if(kCatalogue.begin(), kCatalogue.end(),
-                                 [&](const AlarmKind& kind) { return kind.detail == detail; });
-  assert(row != kCatalogue.end());
-  return *row;
+  return find_alarm(kCatalogue, detail);
 }
 
 const AlarmKind& syntax_alarm_kind(SyntaxFault fault) {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "dialect/dgshape/alarms.hpp"
-#include "dialect/dgshape/destination.hpp"
+#include "execute/grid.hpp"
 #include "execute/moves.hpp"
 
 namespace kerf::dgshape {

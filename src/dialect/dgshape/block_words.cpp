@@ -42,7 +42,7 @@ bool BlockWords::take_g(const Block& block, std::size_t i, const CodeIndex& inde
     return false;
   }
   const auto group = static_cast<std::size_t>(row->group);
-  if (row->group == Group::one_shot && codes_[group] != kNone && codes_[group] != row->number) {
+  if (row->group == Group::one_shot && codes_[group] != kNoCode && codes_[group] != row->number) {
     return refuse(alarm, "conflicting-codes", span,
                   FixedText<200>::format("G{:02} and {} are both one-shot codes with words of their own.",
                                          codes_[group] / 10, row->word));
@@ -55,7 +55,7 @@ bool BlockWords::take_g(const Block& block, std::size_t i, const CodeIndex& inde
 bool BlockWords::collect(const Block& block, const CodeIndex& index, std::optional<Alarm>& alarm) {
   block_ = &block.words;
   present_ = 0;
-  codes_.fill(kNone);
+  codes_.fill(kNoCode);
   m_words_.clear();
   for (std::size_t i = 0; i < block.words.size(); ++i) {
     const Word& word = block.words[i];

@@ -38,8 +38,6 @@ class CodeIndex {
 
 class BlockWords {
  public:
-  static constexpr CodeNumber kNone = 0xFFFF;
-
   /// False: `alarm` says what is wrong (unknown-code, repeated-word, conflicting-codes).
   bool collect(const Block& block, const CodeIndex& index, std::optional<Alarm>& alarm);
 
@@ -47,9 +45,9 @@ class BlockWords {
   WordMask present() const { return present_; }
   /// The word of an address that has() confirmed.
   const Word& word(char address) const { return (*block_)[at_[static_cast<std::size_t>(address - 'A')]]; }
-  /// The code of a group, the last one when several were written (manual 1-3); kNone without.
+  /// The code of a group, the last one when several were written (manual 1-3); kNoCode without.
   CodeNumber operator[](Group group) const { return codes_[static_cast<std::size_t>(group)]; }
-  bool has(Group group) const { return (*this)[group] != kNone; }
+  bool has(Group group) const { return (*this)[group] != kNoCode; }
   /// The word that holds the group's code.
   const Word& word(Group group) const { return (*block_)[code_at_[static_cast<std::size_t>(group)]]; }
   /// A motion code and a fixed cycle in one block: the later word is meant.

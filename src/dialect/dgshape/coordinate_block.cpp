@@ -1,7 +1,7 @@
 #include "dialect/dgshape/coordinate_block.hpp"
 
-#include "dialect/dgshape/destination.hpp"
 #include "dialect/dgshape/numbers.hpp"
+#include "execute/grid.hpp"
 #include "execute/moves.hpp"
 
 namespace kerf::dgshape {

@@ -2,20 +2,11 @@
 // How numbers are read (manual 1-5 and 2-1): decimal point or not, calculator or conventional type, mm or
 // inch.
 
-#include <cstdint>
-
 #include "dialect/dgshape/settings.hpp"
+#include "execute/number_result.hpp"
 #include "syntax/block.hpp"
 
 namespace kerf::dgshape {
-
-/// Why a number is refused.
-enum class NumberFault : std::uint8_t { none, range, decimal_point };
-
-struct NumberResult {
-  double value = 0.0;
-  NumberFault fault = NumberFault::none;
-};
 
 /// Reads values under the machine's setting and the unit in force.
 class NumberReader {

@@ -1,8 +1,9 @@
 #include "dialect/dgshape/settings.hpp"
 
-#include <charconv>
 #include <limits>
 #include <string>
+
+#include "execute/code_table.hpp"
 
 namespace kerf::dgshape {
 namespace {
@@ -100,12 +101,6 @@ constexpr DefaultOverride kDefaultMachine[] = {
     {"axes.A.jerk", "10000.0"},
 };
 
-CodeNumber code_of(const std::string& word) {
-  int number = 0;
-  std::from_chars(word.data() + 1, word.data() + word.size(), number);
-  return code(number);
-}
-
 CalculatorWords calculator_words_of(const std::string& word) {
   if (word == "all") return CalculatorWords::all;
   if (word == "f") return CalculatorWords::feed;
@@ -164,12 +159,12 @@ ControllerSettings controller_settings(const Settings& s) {
   c.shift_volatile = s.boolean("dgshape.shift_volatile");
   c.tool_change_s = s.number("dgshape.tool_change_time");
   c.tool_change_retract = s.boolean("dgshape.tool_change_retract");
-  c.initial_motion = code_of(s.text("dgshape.initial_motion"));
-  c.initial_plane = code_of(s.text("dgshape.initial_plane"));
-  c.initial_unit = code_of(s.text("dgshape.initial_unit"));
-  c.initial_distance = code_of(s.text("dgshape.initial_distance"));
-  c.initial_return = code_of(s.text("dgshape.initial_return"));
-  c.initial_system = code_of(s.text("dgshape.initial_system"));
+  c.initial_motion = code_named(s.text("dgshape.initial_motion"));
+  c.initial_plane = code_named(s.text("dgshape.initial_plane"));
+  c.initial_unit = code_named(s.text("dgshape.initial_unit"));
+  c.initial_distance = code_named(s.text("dgshape.initial_distance"));
+  c.initial_return = code_named(s.text("dgshape.initial_return"));
+  c.initial_system = code_named(s.text("dgshape.initial_system"));
   return c;
 }
 

@@ -1,8 +1,6 @@
 #include "dialect/melsec/alarms.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cassert>
 
 namespace kerf::melsec {
 namespace {
@@ -365,10 +363,7 @@ std::span<const AlarmKind> alarm_catalogue() {
 }
 
 const AlarmKind& alarm_kind(std::string_view detail) {
-  const auto* row = std::find_if(kCatalogue.begin(), kCatalogue.end(),
-                                 [&](const AlarmKind& kind) { return kind.detail == detail; });
-  assert(row != kCatalogue.end());
-  return *row;
+  return find_alarm(kCatalogue, detail);
 }
 
 }  // namespace kerf::melsec

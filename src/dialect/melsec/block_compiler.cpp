@@ -133,7 +133,8 @@ bool BlockCompiler::statement() {
   return words();
 }
 
-/// An operation or control command stands alone in its block (0 more operations: 0306H, other words: 032CH).
+/// An operation or control command stands alone in its block: a word behind it is 032CH, as is an operation
+/// behind a control command; anything else, a second operation included, is 0306H.
 bool BlockCompiler::nothing_more() {
   const char c = parser_.peek();
   if (c == '\0') return true;
@@ -147,7 +148,7 @@ bool BlockCompiler::nothing_more() {
 
 bool BlockCompiler::condition_in_brackets(std::string_view detail, ExpressionRef& condition) {
   if (!parser_.take("[")) return parser_.fail(detail);
-  const std::size_t first = program_.steps.size();
+  const std::size_t first = parser_.begin_expression();
   if (!parser_.condition() || !(parser_.take("]") || parser_.fail("0306H"))) return false;
   condition = since(first);
   return true;
@@ -187,7 +188,7 @@ bool BlockCompiler::else_statement() {
 }
 
 bool BlockCompiler::go_to(ExpressionRef condition) {
-  const std::size_t first = program_.steps.size();
+  const std::size_t first = parser_.begin_expression();
   if (!parser_.value()) return false;
   Statement& jump = add(StatementKind::go_to);
   jump.condition = condition;
@@ -226,11 +227,11 @@ bool BlockCompiler::end_statement() {
 
 bool BlockCompiler::assignment() {
   parser_.take("#");
-  const std::size_t target = program_.steps.size();
+  const std::size_t target = parser_.begin_expression();
   if (!parser_.variable_number(true)) return false;
   const ExpressionRef number = since(target);
   if (!parser_.take("=")) return parser_.fail("032BH");
-  const std::size_t value = program_.steps.size();
+  const std::size_t value = parser_.begin_expression();
   if (!parser_.value()) return false;
   Statement& definition = add(StatementKind::assignment);
   definition.target = number;
@@ -288,7 +289,7 @@ bool BlockCompiler::word_value(Word& word) {
     parser_.set_position(start);
   }
   if (word.address == 'O') return parser_.fail("0306H");
-  const std::size_t first = program_.steps.size();
+  const std::size_t first = parser_.begin_expression();
   if (!parser_.value()) return false;
   // "X#101 = 5" would define a variable through an address.
   if (parser_.peek() == '=') return parser_.fail("0305H");

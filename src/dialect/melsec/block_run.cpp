@@ -1,14 +1,11 @@
 #include "dialect/melsec/block_run.hpp"
 
 #include "dialect/melsec/alarms.hpp"
-#include "dialect/melsec/macro_arguments.hpp"
+#include "dialect/melsec/program_call.hpp"
 
 namespace kerf::melsec {
 namespace {
 
-constexpr double kHighestProgram = 256.0;
-constexpr double kHighestSequenceNumber = 99999.0;
-constexpr double kMostRepetitions = 9999.0;
 constexpr std::size_t kContouringAxes = 4;
 
 }  // namespace
@@ -32,8 +29,7 @@ bool BlockRun::run() {
 }
 
 bool BlockRun::refuse(std::string_view detail, const SourceSpan& where, const FixedText<200>& message) {
-  alarm = Alarm{&alarm_kind(detail), where, message, {}};
-  return false;
+  return melsec::refuse(alarm, detail, where, message);
 }
 
 bool BlockRun::accept(const Word& word, const NumberResult& result, double& value) {
@@ -56,7 +52,6 @@ bool BlockRun::unfinished_codes() {
 }
 
 bool BlockRun::feed() {
-  double ignored = 0.0;
   if (const Word* rapid = words_.rapid_feed()) {
     if (feed_of(*rapid).fault != NumberFault::none) return refuse("0312H", span(*rapid));
   }
@@ -64,8 +59,7 @@ bool BlockRun::feed() {
   if (word == nullptr) return true;
   const NumberResult result = feed_of(*word);
   if (result.fault != NumberFault::none) return refuse("0312H", span(*word));
-  ignored = result.value;
-  registers.feed = ignored;
+  registers.feed = result.value;
   registers.feed_given = true;
   return true;
 }
@@ -103,42 +97,24 @@ bool BlockRun::dwell() {
 
 bool BlockRun::local_system() {
   const auto system = static_cast<std::size_t>(registers.modal[Group::work_system] / 10 - 53);
-  AxisVector local = tables_.local_offsets[system];
+  LocalSystem written{system, tables_.local_offsets[system]};
+  AxisVector& local = written.offset;
   for (const Axis axis : words_.axes()) {
     const AxisWord& word = words_.axis(axis);
     double value = 0.0;
     if (!accept(*word.word, position_of(*word.word), value)) return false;
     local[axis] = word.incremental ? local[axis] + value : value;
   }
-  tables_.local_offsets[system] = local;
-  return true;
-}
-
-bool BlockRun::number_word(char address, double highest, std::int32_t& value) {
-  const Word* word = words_.find(address);
-  if (word == nullptr) return true;
-  double number = 0.0;
-  if (!accept(*word, integer_of(*word, 0.0, highest), number)) return false;
-  value = static_cast<std::int32_t>(number);
-  return true;
-}
-
-bool BlockRun::repetitions() {
-  const Word* word = words_.find('L');
-  if (word == nullptr) return true;
-  const NumberResult number = integer_of(*word, 0.0, kMostRepetitions);
-  if (number.fault == NumberFault::range) return refuse("0328H", span(*word));
-  if (number.fault != NumberFault::none) return refuse("031AH", span(*word));
-  flow_.repetitions = static_cast<std::int32_t>(number.value);
+  local_written = written;
   return true;
 }
 
 bool BlockRun::program_code() {
-  if (words_.has(kMacroCall)) return macro_call();
-  flow_.span = block_.span;
-  flow_.program = -1;
-  flow_.sequence_number = 0;
-  flow_.repetitions = 1;
+  if (words_.has(kMacroCall)) {
+    if (!read_macro_call(block_, words_.first_argument(), flow_, alarm)) return false;
+    flow_.keep_locals = rules_.settings().keep_arguments;
+    return true;
+  }
   switch (words_.program_code()) {
     case ProgramCode::none:
       return true;
@@ -149,27 +125,10 @@ bool BlockRun::program_code() {
       ends_program = true;
       return true;
     case ProgramCode::call:
-      flow_.kind = FlowRequest::Kind::call;
-      return number_word('P', kHighestProgram, flow_.program) &&
-             number_word('H', kHighestSequenceNumber, flow_.sequence_number) && repetitions();
+      return read_subprogram_call(block_, words_, flow_, alarm);
     case ProgramCode::go_back:
-      flow_.kind = FlowRequest::Kind::go_back;
-      return number_word('P', kHighestSequenceNumber, flow_.sequence_number);
+      return read_return(block_, words_, flow_, alarm);
   }
-  return true;
-}
-
-bool BlockRun::macro_call() {
-  MacroCall call;
-  if (!read_macro_call(block_, words_.first_argument(), call, alarm)) return false;
-  flow_.kind = FlowRequest::Kind::macro_call;
-  flow_.span = block_.span;
-  flow_.program = call.program;
-  flow_.sequence_number = 0;
-  flow_.repetitions = call.repetitions;
-  flow_.keep_locals = rules_.settings().keep_arguments;
-  flow_.given = call.given;
-  flow_.arguments = call.arguments;
   return true;
 }
 

@@ -10,6 +10,12 @@
 
 namespace kerf::melsec {
 
+/// A local coordinate system that G52 writes when the whole block proved right.
+struct LocalSystem {
+  std::size_t system = 0;  ///< 1 for G54
+  AxisVector offset;
+};
+
 /// Every step returns false when it refused the block; `alarm` then says why.
 class BlockRun {
  public:
@@ -22,6 +28,7 @@ class BlockRun {
   Registers& registers;
   std::optional<Alarm> alarm;
   bool ends_program = false;
+  std::optional<LocalSystem> local_written;
 
  private:
   // block_run.cpp
@@ -32,9 +39,6 @@ class BlockRun {
   bool dwell();
   bool local_system();
   bool program_code();
-  bool macro_call();
-  bool repetitions();
-  bool number_word(char address, double highest, std::int32_t& value);
   // motion_step.cpp
   bool motion();
   bool machine_move();
@@ -56,7 +60,7 @@ class BlockRun {
 
   const Rules& rules_;
   const Block& block_;
-  Tables& tables_;
+  const Tables& tables_;
   ActionQueue& queue_;
   FlowRequest& flow_;
   BlockWords words_;

@@ -11,12 +11,6 @@ namespace {
 
 constexpr double kHighestAuxiliary = 99999999.0;
 
-bool refuse(std::optional<Alarm>& alarm, std::string_view detail, const SourceSpan& span,
-            const FixedText<200>& message = {}) {
-  alarm = Alarm{&alarm_kind(detail), span, message, {}};
-  return false;
-}
-
 /// Ten times the number of a G word; nothing when no code can have it.
 std::optional<CodeNumber> code_number(const Word& word) {
   double tenfold = 0.0;
@@ -66,7 +60,7 @@ const CodeRow* find_g(CodeNumber number) {
 
 bool BlockWords::collect(const Block& block, CodeNumber distance, AxisSet machine_axes,
                          std::optional<Alarm>& alarm) {
-  codes_.fill(kNone);
+  codes_.fill(kNoCode);
   values_.fill(nullptr);
   named_ = {};
   rapid_feed_ = nullptr;

@@ -33,14 +33,13 @@ struct AxisWord {
 /// stands behind G65 is an argument and nothing else.
 class BlockWords {
  public:
-  static constexpr CodeNumber kNone = 0xFFFF;
   static constexpr std::size_t kAuxiliaries = 4;
 
   /// False: `alarm` says what is wrong. `distance` is the code of G90 and G91 in force before the block.
   bool collect(const Block& block, CodeNumber distance, AxisSet machine_axes, std::optional<Alarm>& alarm);
 
   CodeNumber operator[](Group group) const { return codes_[static_cast<std::size_t>(group)]; }
-  bool has(Group group) const { return (*this)[group] != kNone; }
+  bool has(Group group) const { return (*this)[group] != kNoCode; }
   bool has(OneShot code) const { return (one_shots_ & code) != 0; }
   const Word* find(char address) const { return values_[static_cast<std::size_t>(address - 'A')]; }
   const Word* rapid_feed() const { return rapid_feed_; }

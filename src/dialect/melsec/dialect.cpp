@@ -34,11 +34,11 @@ Dialect dialect() {
   Dialect d;
   d.name = "melsec";
   d.title = "MELSEC iQ-R G-code control";
+  d.file_extension = ".gcd";
   d.alarms = alarm_catalogue();
   d.codes = code_table();
   d.parameters = parameters();
   d.defaults = default_machine();
-  d.contradictions = contradictions;
   d.rules = make_rules;
   d.feed_policy = feed_policy;
   d.toolpath_policy = toolpath_policy;

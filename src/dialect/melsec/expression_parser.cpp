@@ -105,14 +105,7 @@ bool ExpressionParser::number(double& value) {
 }
 
 bool ExpressionParser::value() {
-  return sum() && logic_behind();
-}
-
-bool ExpressionParser::value_behind(double first) {
-  return push(ExpressionOp::constant, first) && product_behind() && sum_behind() && logic_behind();
-}
-
-bool ExpressionParser::logic_behind() {
+  if (!sum()) return false;
   // OR, XOR and AND have one priority and work from left to right (decisions.md).
   for (;;) {
     const Named* found = nullptr;
@@ -125,10 +118,7 @@ bool ExpressionParser::logic_behind() {
 }
 
 bool ExpressionParser::sum() {
-  return product() && sum_behind();
-}
-
-bool ExpressionParser::sum_behind() {
+  if (!product()) return false;
   for (;;) {
     const char c = peek();
     if (c != '+' && c != '-') return true;
@@ -138,10 +128,7 @@ bool ExpressionParser::sum_behind() {
 }
 
 bool ExpressionParser::product() {
-  return signed_primary() && product_behind();
-}
-
-bool ExpressionParser::product_behind() {
+  if (!signed_primary()) return false;
   for (;;) {
     ExpressionOp op = ExpressionOp::multiply;
     if (take("*")) {

@@ -24,14 +24,16 @@ class ExpressionParser {
   void begin(std::string_view block) {
     text_ = block;
     at_ = 0;
-    depth_ = 0;
     fault_ = {};
   }
 
+  /// Begins an expression of its own; the place of its first step.
+  std::size_t begin_expression() {
+    depth_ = 0;
+    return steps_.size();
+  }
   /// A value: variables, constants and functions with operators; steps are appended.
   bool value();
-  /// The same, but its first part is already read as the constant `first`.
-  bool value_behind(double first);
   /// A condition: two values with EQ, NE, GT, LT, GE or LE between them, brackets excluded.
   bool condition();
   /// The number of a variable, the # being read already. `assigned`: the variable is to be defined.
@@ -55,10 +57,7 @@ class ExpressionParser {
 
  private:
   bool sum();
-  bool sum_behind();
   bool product();
-  bool product_behind();
-  bool logic_behind();
   bool signed_primary();
   bool primary();
   bool variable();
@@ -68,7 +67,7 @@ class ExpressionParser {
   std::string_view text_;
   std::vector<ExpressionStep>& steps_;
   std::size_t at_ = 0;
-  int depth_ = 0;  ///< values on the stack at this point
+  int depth_ = 0;  ///< values of the expression on the stack at this point
   ParseFault fault_;
 };
 

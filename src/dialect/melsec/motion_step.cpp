@@ -4,20 +4,11 @@
 
 #include "dialect/melsec/alarms.hpp"
 #include "dialect/melsec/block_run.hpp"
+#include "execute/grid.hpp"
 #include "execute/moves.hpp"
 #include "geometry/arc_construction.hpp"
 
 namespace kerf::melsec {
-namespace {
-
-/// Sums of decimal fractions on a grid far finer than the least increment, so that they do not drift apart.
-double on_grid(double value) {
-  constexpr double kGridPerMm = 1e6;
-  return std::round(value * kGridPerMm) / kGridPerMm;
-}
-
-}  // namespace
-
 bool BlockRun::targets(AxisVector& target) {
   const AxisVector origin = workpiece_origin(registers, tables_);
   for (const Axis axis : words_.axes()) {

@@ -1,20 +1,10 @@
 #pragma once
 // What the number of a word means, by address (manual 5.4).
 
+#include "execute/number_result.hpp"
 #include "syntax/block.hpp"
 
 namespace kerf::melsec {
-
-enum class NumberFault : std::uint8_t {
-  none,
-  range,          ///< outside the range of the address
-  decimal_point,  ///< the address takes none
-};
-
-struct NumberResult {
-  double value = 0.0;
-  NumberFault fault = NumberFault::none;
-};
 
 /// Position, centre or angle: mm or degrees, without a decimal point counted in 0.0001; -9999.9999 to
 /// 9999.9999. Values of expressions count whole units and are rounded to 0.0001, halves away from zero.

@@ -100,6 +100,7 @@ BlockOutcome Rules::execute(const Block& block, State& state, ActionQueue& queue
     queue.push<Alarm>() = *run.alarm;
     return BlockOutcome::alarm;
   }
+  if (run.local_written) state.tables.local_offsets[run.local_written->system] = run.local_written->offset;
   if (!run.ends_program) return BlockOutcome::done;
   queue.push<End>();
   return BlockOutcome::ended;

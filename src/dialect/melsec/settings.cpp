@@ -1,9 +1,8 @@
 #include "dialect/melsec/settings.hpp"
 
-#include <charconv>
 #include <limits>
 
-#include "machine/contradictions.hpp"
+#include "execute/code_table.hpp"
 
 namespace kerf::melsec {
 namespace {
@@ -60,12 +59,6 @@ std::optional<Axis> axis_named(const std::string& name) {
   return name.size() == 1 ? axis_from_letter(name[0]) : std::nullopt;
 }
 
-CodeNumber code_of(const std::string& word) {
-  int number = 0;
-  std::from_chars(word.data() + 1, word.data() + word.size(), number);
-  return code(number);
-}
-
 }  // namespace
 
 std::span<const Parameter> parameters() {
@@ -78,9 +71,9 @@ std::span<const DefaultOverride> default_machine() {
 
 ControllerSettings controller_settings(const Settings& s) {
   ControllerSettings c;
-  c.initial_motion = code_of(s.text("melsec.system.initial_interpolation_mode"));
-  c.initial_plane = code_of(s.text("melsec.system.initial_plane"));
-  c.initial_distance = code_of(s.text("melsec.system.initial_absolute_mode"));
+  c.initial_motion = code_named(s.text("melsec.system.initial_interpolation_mode"));
+  c.initial_plane = code_named(s.text("melsec.system.initial_plane"));
+  c.initial_distance = code_named(s.text("melsec.system.initial_absolute_mode"));
   c.arc_deviation = s.number("melsec.system.arc_deviation");
   c.arc_center_compensation = s.number("melsec.system.arc_center_compensation");
   c.base = {axis_named(s.text("melsec.system.base_axis_i")), axis_named(s.text("melsec.system.base_axis_j")),
@@ -90,10 +83,6 @@ ControllerSettings controller_settings(const Settings& s) {
   c.variables.locals = !s.text("melsec.system.local_start_device").empty();
   c.keep_arguments = s.boolean("melsec.keep_arguments");
   return c;
-}
-
-std::vector<SettingsError> contradictions(const Settings&) {
-  return {};
 }
 
 }  // namespace kerf::melsec

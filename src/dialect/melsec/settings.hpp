@@ -10,7 +10,6 @@
 #include "execute/modal.hpp"
 #include "machine/parameter.hpp"
 #include "machine/settings.hpp"
-#include "machine/settings_error.hpp"
 
 namespace kerf::melsec {
 
@@ -28,7 +27,5 @@ struct ControllerSettings {
 std::span<const Parameter> parameters();
 std::span<const DefaultOverride> default_machine();
 ControllerSettings controller_settings(const Settings& settings);
-/// Parameters that do not go together (details codes 0010H and 0016H).
-std::vector<SettingsError> contradictions(const Settings& settings);
 
 }  // namespace kerf::melsec

@@ -1,9 +1,7 @@
 #pragma once
-// Where an axis word leads: G90/G91, the workpiece coordinate system and scaling.
+// The grid that computed positions lie on.
 
-#include "execute/state.hpp"
-
-namespace kerf::dgshape {
+namespace kerf {
 
 /// Destinations lie on a grid far finer than any increment, so that sums of increments do not drift apart
 /// from the coordinates they stand for. Beyond 2^51 grid steps a double has no finer places anyway.
@@ -17,4 +15,4 @@ inline double on_grid(double value) {
   return ((steps + kRounder) - kRounder) / kGridPerMm;
 }
 
-}  // namespace kerf::dgshape
+}  // namespace kerf
