@@ -86,10 +86,9 @@ std::string describe(const Action& action) {
   if (const auto* alarm = std::get_if<Alarm>(&action.what)) return std::string(alarm->kind->detail);
   const auto* move = std::get_if<Move>(&action.what);
   if (move == nullptr) return fmt::format("action {}", action.what.index());
-  return fmt::format("{} {} {} {} | {} | {} | {} | {} F{}", static_cast<int>(move->mode), move->axis_words,
+  return fmt::format("{} {} {} {} | {} | {} | {} F{}", static_cast<int>(move->mode), move->axis_words,
                      static_cast<int>(move->compensation.side), move->rotary_feed.active,
-                     describe(move->start), describe(move->end), describe(move->commanded),
-                     describe(move->work_origin), move->feed);
+                     describe(move->start), describe(move->end), describe(move->commanded), move->feed);
 }
 
 std::vector<std::string> transcript(const Controller& controller, const std::string& text) {

@@ -30,15 +30,14 @@ void add_axes(Entry& event, std::string_view prefix, AxisSet axes, const AxisVec
   for (const Axis axis : axes) event.fields.push_back({std::string(prefix) + letter(axis), position[axis]});
 }
 
-void add_arc(Entry& event, const Move& move) {
+void add_arc(Entry& event, const Move& move, const AxisVector& origin) {
   const Plane& plane = move.plane;
   event.fields.push_back({"plane", plane_name(plane)});
   event.fields.push_back({"radius", move.arc.radius});
   event.fields.push_back({"sweep", move.arc.sweep});
   const std::string center = "center";
-  event.fields.push_back({center + letter(plane.first), move.arc.center[0] - move.work_origin[plane.first]});
-  event.fields.push_back(
-      {center + letter(plane.second), move.arc.center[1] - move.work_origin[plane.second]});
+  event.fields.push_back({center + letter(plane.first), move.arc.center[0] - origin[plane.first]});
+  event.fields.push_back({center + letter(plane.second), move.arc.center[1] - origin[plane.second]});
 }
 
 bool has_length(const Move& move, AxisSet axes) {
@@ -52,17 +51,17 @@ bool has_length(const Move& move, AxisSet axes) {
 /// Fills in the event of one kind of action. False: there is none.
 struct Describe {
   Entry& event;
-  AxisSet axes;
-  const FeedPolicy& policy;
+  const Surroundings& around;
 
   bool operator()(const Move& move) const {
+    const AxisSet axes = around.axes;
     event.name = mode_name(move.mode);
-    add_axes(event, "", axes, move.end - move.work_origin);
-    if (move.mode != MoveMode::rapid) event.fields.push_back({"F", policy.effective(move.feed)});
-    if (is_arc(move.mode)) add_arc(event, move);
+    add_axes(event, "", axes, move.end - around.work_origin);
+    if (move.mode != MoveMode::rapid) event.fields.push_back({"F", around.policy.effective(move.feed)});
+    if (is_arc(move.mode)) add_arc(event, move, around.work_origin);
     add_axes(event, "m", axes, move.end);
     add_axes(event, "c", axes, move.commanded);
-    add_axes(event, "s", axes, move.start - move.work_origin);
+    add_axes(event, "s", axes, move.start - around.work_origin);
     return has_length(move, axes);
   }
   bool operator()(const CornerArc&) const { return false; }
@@ -118,9 +117,9 @@ struct Describe {
 
 }  // namespace
 
-std::optional<Entry> event_of(const Action& action, AxisSet axes, const FeedPolicy& policy) {
+std::optional<Entry> event_of(const Action& action, const Surroundings& surroundings) {
   Entry event;
-  if (!std::visit(Describe{event, axes, policy}, action.what)) return std::nullopt;
+  if (!std::visit(Describe{event, surroundings}, action.what)) return std::nullopt;
   const auto* alarm = std::get_if<Alarm>(&action.what);
   const SourceSpan& span = alarm != nullptr ? alarm->span : action.origin.span;
   event.fields.push_back({"line", static_cast<double>(span.line)});

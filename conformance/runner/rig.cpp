@@ -1,5 +1,7 @@
 #include "conformance/runner/rig.hpp"
 
+#include <unordered_map>
+
 #include "conformance/runner/observation.hpp"
 
 namespace kerf::conformance {
@@ -18,6 +20,27 @@ Entry refusal(const SettingsError& error) {
   }
   return event;
 }
+
+/// The interpreter in front of the toolpath passes. Remembers the workpiece origin of each block, because a
+/// pass may hold a move back while the next blocks are executed already.
+class Watched {
+ public:
+  explicit Watched(Interpreter& interpreter) : interpreter_(interpreter) {}
+
+  const Action* next() {
+    const Action* action = interpreter_.next();
+    if (action != nullptr) {
+      origins_[action->origin.block] = interpreter_.rules().work_origin(interpreter_.state());
+    }
+    return action;
+  }
+  void recover() { interpreter_.recover(); }
+  const AxisVector& work_origin(std::uint32_t block) { return origins_[block]; }
+
+ private:
+  Interpreter& interpreter_;
+  std::unordered_map<std::uint32_t, AxisVector> origins_;
+};
 
 }  // namespace
 
@@ -58,12 +81,14 @@ ProgramRun Rig::run(const ProgramSection& program, const std::string& text) {
     interpreter_ =
         std::make_unique<Interpreter>(controller_.rules, std::move(source), controller_.interpreter_options);
   }
-  const auto toolpath = std::make_unique<Toolpath<Interpreter>>(*interpreter_, controller_.machine,
-                                                                controller_.toolpath_policy);
+  Watched watched(*interpreter_);
+  const auto toolpath =
+      std::make_unique<Toolpath<Watched>>(watched, controller_.machine, controller_.toolpath_policy);
   ProgramRun run;
   while (const Action* action = toolpath->next()) {
     run.actions.push_back(*action);
-    if (auto event = event_of(*action, controller_.machine.axes, controller_.feed_policy)) {
+    const AxisVector& origin = watched.work_origin(action->origin.block);
+    if (auto event = event_of(*action, {controller_.machine.axes, controller_.feed_policy, origin})) {
       run.events.push_back(*std::move(event));
     }
     if (const auto* move = std::get_if<Move>(&action->what)) position_ = move->end;

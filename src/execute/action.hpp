@@ -72,13 +72,12 @@ struct Move {
   Plane plane = kPlaneXY;
   RadiusCompensation compensation;
   RotaryFeed rotary_feed;
-  AxisVector start;        ///< machine coordinates; where the tool reference point really is
-  AxisVector end;          ///< machine coordinates
-  AxisVector commanded;    ///< end in the coordinate system the block was written in, before tool
-                           ///< compensations: the workpiece coordinate system, or the machine's for G53
-  AxisVector work_origin;  ///< machine coordinates of the workpiece origin the block was written in
-  double feed = 0.0;       ///< programmed mm/min, before override; unused for rapid
-  Arc arc;                 ///< only when is_arc(mode)
+  AxisVector start;      ///< machine coordinates; where the tool reference point really is
+  AxisVector end;        ///< machine coordinates
+  AxisVector commanded;  ///< end in the coordinate system the block was written in, before tool
+                         ///< compensations: the workpiece coordinate system, or the machine's for G53
+  double feed = 0.0;     ///< programmed mm/min, before override; unused for rapid
+  Arc arc;               ///< only when is_arc(mode)
 };
 
 /// Corner arc of the tool radius compensation (G39): turn on the spot to the direction of the next move.

@@ -12,7 +12,14 @@ class ActionQueue {
   static constexpr std::size_t kCapacity = 32;
 
   void begin(const Origin& origin) {
-    origin_ = origin;
+    // Part by part: a copy in large pieces would wait for the small ones that were written just before.
+    origin_.span.offset = origin.span.offset;
+    origin_.span.line = origin.span.line;
+    origin_.span.column = origin.span.column;
+    origin_.span.length = origin.span.length;
+    origin_.block = origin.block;
+    origin_.program = origin.program;
+    origin_.sequence_number = origin.sequence_number;
     mark_ = actions_.size();
   }
   /// Takes back what was pushed since begin(): the block raised an alarm.

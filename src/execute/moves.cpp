@@ -1,9 +1,10 @@
 #include "execute/moves.hpp"
 
 namespace kerf {
+namespace {
 
-Move& push_straight(MoveMode mode, const AxisVector& target, Registers& registers,
-                    const AxisVector& work_origin, ActionQueue& queue) {
+/// The next move, with everything but its way filled in.
+Move& push_pathless(MoveMode mode, const Registers& registers, ActionQueue& queue) {
   Move& move = queue.push_unset_move();
   move.mode = mode;
   move.exact_stop = false;
@@ -11,15 +12,41 @@ Move& push_straight(MoveMode mode, const AxisVector& target, Registers& register
   move.plane = kPlaneXY;
   move.compensation = {};
   move.rotary_feed = {};
+  move.feed = registers.feed;
+  move.arc = {};
+  return move;
+}
+
+}  // namespace
+
+Move& push_straight(MoveMode mode, const AxisTargets& targets, Registers& registers,
+                    const AxisVector& work_origin, ActionQueue& queue) {
+  Move& move = push_pathless(mode, registers, queue);
+  move.start = registers.position;
+  move.end = registers.position;
+  move.commanded = registers.position;
+  move.commanded -= work_origin;
+  for (const Axis axis : targets.axes) {
+    const double target = targets.values[axis];
+    registers.position[axis] = target;
+    move.end[axis] = target;
+    move.commanded[axis] = target - work_origin[axis];
+  }
+  move.start[Axis::Z] += registers.length_applied;
+  move.end[Axis::Z] += registers.length_offset;
+  registers.length_applied = registers.length_offset;
+  return move;
+}
+
+Move& push_straight(MoveMode mode, const AxisVector& target, Registers& registers,
+                    const AxisVector& work_origin, ActionQueue& queue) {
+  Move& move = push_pathless(mode, registers, queue);
   move.start = registers.position;
   move.start[Axis::Z] += registers.length_applied;
   move.end = target;
   move.end[Axis::Z] += registers.length_offset;
   move.commanded = target;
   move.commanded -= work_origin;
-  move.work_origin = work_origin;
-  move.feed = registers.feed;
-  move.arc = {};
   registers.position = target;
   registers.length_applied = registers.length_offset;
   return move;

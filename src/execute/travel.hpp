@@ -28,6 +28,9 @@ class Travel {
     }
     return inside;
   }
+  bool contains(Axis axis, double position) const {
+    return position >= lowest_[index(axis)] && position <= highest_[index(axis)];
+  }
   /// The end of a move and, on an arc, its outermost points; the start is not looked at.
   bool contains(const Move& move) const {
     return contains(move.end) && (!is_arc(move.mode) || contains_arc(move));

@@ -22,26 +22,36 @@ double grid_destination(double base, double value, bool fine) {
   return fine && base == 0.0 ? value : on_grid(base + value);
 }
 
-/// Writes the destinations of the words into `target`; the axes named, none when a word needs the whole way.
-AxisSet read_target(const NumberReader& reader, const Block& block, const Registers& registers,
-                    const AxisVector& origin, AxisVector& target) {
+/// Writes the destinations of the words into `targets`; false when a word needs the whole way.
+bool read_targets(const NumberReader& reader, const Block& block, const Registers& registers,
+                  const AxisVector& origin, AxisTargets& targets) {
   const bool incremental = registers.modal[Group::distance] == code(91);
   const bool fine = registers.modal[Group::unit] == code(21) && !incremental;
-  AxisSet named;
   for (const Word& word : block.words) {
-    if (word.address < 'X' || word.address > 'Z') return {};
+    if (word.address < 'X' || word.address > 'Z') return false;
     const auto axis = static_cast<Axis>(word.address - 'X');
     const NumberResult number = reader.distance(word);
-    if (number.fault != NumberFault::none || named.contains(axis)) return {};
-    target[axis] =
+    if (number.fault != NumberFault::none || targets.axes.contains(axis)) return false;
+    targets.values[axis] =
         grid_destination(incremental ? registers.position[axis] : origin[axis], number.value, fine);
-    named.insert(axis);
+    targets.axes.insert(axis);
   }
-  return named;
+  return true;
 }
 
-int moving_axes(const AxisVector& from, const AxisVector& to) {
-  return (from[Axis::X] != to[Axis::X]) + (from[Axis::Y] != to[Axis::Y]) + (from[Axis::Z] != to[Axis::Z]);
+int moving_axes(const AxisVector& from, const AxisTargets& to) {
+  int moving = 0;
+  for (const Axis axis : to.axes) moving += from[axis] != to.values[axis] ? 1 : 0;
+  return moving;
+}
+
+/// Axes that stay where they are cannot leave their travel.
+bool inside_travel(const Travel& travel, const AxisTargets& targets, double length_offset) {
+  bool inside = true;
+  for (const Axis axis : targets.axes) {
+    inside &= travel.contains(axis, targets.values[axis] + (axis == Axis::Z ? length_offset : 0.0));
+  }
+  return inside;
 }
 
 }  // namespace
@@ -52,18 +62,15 @@ bool run_coordinate_block(const Rules& rules, const Block& block, State& state, 
   if (settings.clip_over_travel || !straight_in_force(registers)) return false;
   const AxisVector origin = workpiece_origin(registers, state.tables);
   const NumberReader reader(settings, registers.modal[Group::unit] == code(20));
-  AxisVector target = registers.position;
-  const AxisSet named = read_target(reader, block, registers, origin, target);
-  if (named.empty()) return false;
-  const int moving = moving_axes(registers.position, target);
+  AxisTargets targets;
+  if (!read_targets(reader, block, registers, origin, targets) || targets.axes.empty()) return false;
+  const int moving = moving_axes(registers.position, targets);
   if (moving == 0) return true;
   const bool rapid = registers.modal[Group::motion] == code(0);
   if (rapid && moving > settings.rapid_axes) return false;
-  AxisVector end = target;
-  end[Axis::Z] += registers.length_offset;
-  if (!rules.travel().contains(end)) return false;
-  Move& move = push_straight(rapid ? MoveMode::rapid : MoveMode::linear, target, registers, origin, queue);
-  move.axis_words = named.contains(Axis::X) || named.contains(Axis::Y);
+  if (!inside_travel(rules.travel(), targets, registers.length_offset)) return false;
+  Move& move = push_straight(rapid ? MoveMode::rapid : MoveMode::linear, targets, registers, origin, queue);
+  move.axis_words = targets.axes.contains(Axis::X) || targets.axes.contains(Axis::Y);
   registers.unit_locked = true;
   return true;
 }
