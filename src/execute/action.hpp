@@ -67,6 +67,7 @@ struct RotaryFeed {
 
 struct Move {
   MoveMode mode = MoveMode::rapid;
+  bool from_rest = false;   ///< the axes come to rest before it
   bool exact_stop = false;  ///< the axes come to rest at the end
   bool axis_words = true;   ///< the block names an axis of the plane, even when the distance is zero
   Plane plane = kPlaneXY;

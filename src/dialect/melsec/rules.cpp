@@ -65,6 +65,11 @@ State Rules::initial_state() const {
   State state;
   for (const Axis axis : machine_.axes) state.registers.position[axis] = machine_[axis].start;
   state.tables.work_offsets = machine_.work_offsets;
+  state.tables.length.assign(static_cast<std::size_t>(kCompensations) + 1, 0.0);
+  for (const Tool& tool : machine_.tools) {
+    if (tool.number > 0 && tool.number <= kCompensations)
+      state.tables.length[static_cast<std::size_t>(tool.number)] = tool.length;
+  }
   state.variables = MacroVariables(settings_.variables);
   return state;
 }
@@ -82,6 +87,9 @@ void Rules::begin_program(State& state) const {
   r.modal.set(Group::normal_line, code(40, 1));
   r.modal.set(Group::rotation, code(69));
   r.modal.set(Group::polar, code(13, 1));
+  r.placement = {};
+  r.placement.machine = r.position;
+  r.length_number = -1;
   r.feed_given = false;
   r.feed = 0.0;
   r.program = r.sequence_number = -1;

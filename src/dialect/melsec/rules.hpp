@@ -9,6 +9,9 @@
 
 namespace kerf::melsec {
 
+/// Tool compensation numbers, from 1; 0 cancels.
+inline constexpr std::int32_t kCompensations = 40;
+
 class Rules final : public BlockRules {
  public:
   Rules(const ControllerSettings& settings, const Machine& machine);

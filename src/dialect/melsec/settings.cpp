@@ -43,6 +43,10 @@ constexpr Parameter kParameters[] = {
      "First device of the common variables for each system."},
     {"melsec.system.local_start_device", kText, "\"\"", "", -kNoLimit, kNoLimit, "",
      "First device of the local variables; without it there are none."},
+    {"melsec.system.per_axis_tolerable_acceleration", kInteger, "0", "", 0, 1, "",
+     "1: high-accuracy control keeps the tolerable acceleration of each axis."},
+    {"melsec.work.coordinate_rotation_type", kInteger, "0", "", 0, 1, "",
+     "Start point of the first move behind G68: 0: where it is, 1: taken as turned along."},
     {"melsec.keep_arguments", kBoolean, "false", "", -kNoLimit, kNoLimit, "",
      "The signal that lets local variables without an argument keep their values at G65 (Rq.3385)."},
 };
@@ -81,6 +85,8 @@ ControllerSettings controller_settings(const Settings& s) {
   c.variables.common =
       s.integer("melsec.system.common_system_points") + s.integer("melsec.system.common_all_points");
   c.variables.locals = !s.text("melsec.system.local_start_device").empty();
+  c.axis_tolerance = s.integer("melsec.system.per_axis_tolerable_acceleration") == 1;
+  c.rotation_takes_start = s.integer("melsec.work.coordinate_rotation_type") == 1;
   c.keep_arguments = s.boolean("melsec.keep_arguments");
   return c;
 }
