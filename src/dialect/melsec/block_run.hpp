@@ -64,7 +64,7 @@ class BlockRun {
   bool arc_by_radius(const Plane& plane, const AxisVector& target, bool clockwise, Arc& out, bool& nothing);
   bool targets(AxisVector& target);
   bool absolute_first();
-  bool cutting_feed();
+  bool feed_given_for(MoveMode mode);
   /// A move of the axes to `end` in machine coordinates.
   bool push(MoveMode mode, const AxisVector& end, const AxisVector& commanded, const Plane& plane = kPlaneXY,
             const Arc& arc = {});

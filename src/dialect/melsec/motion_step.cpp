@@ -22,8 +22,9 @@ bool BlockRun::targets(AxisVector& target) {
   return true;
 }
 
-bool BlockRun::cutting_feed() {
-  return registers.feed_given || refuse("0311H", block_.span);
+/// A move that is none needs no feed: the manual's examples go to where they stand before the first F.
+bool BlockRun::feed_given_for(MoveMode mode) {
+  return mode == MoveMode::rapid || registers.feed_given || refuse("0311H", block_.span);
 }
 
 /// The first move behind G68 and G69 must say where to go.
@@ -78,11 +79,13 @@ bool BlockRun::motion() {
 }
 
 bool BlockRun::straight(MoveMode mode, const AxisVector& target) {
-  if ((mode != MoveMode::rapid && !cutting_feed()) || !absolute_first()) return false;
+  if (!absolute_first()) return false;
   const Placement& placement = registers.placement;
   const AxisVector end = machine_position(placement, target, moving_axes(placement, words_.axes()));
-  if (end != placement.machine && !push(mode, end, target - workpiece_origin(registers, tables_)))
-    return false;
+  if (end != placement.machine) {
+    const AxisVector commanded = target - workpiece_origin(registers, tables_);
+    if (!feed_given_for(mode) || !push(mode, end, commanded)) return false;
+  }
   arrive(target, words_.axes());
   return true;
 }
@@ -99,9 +102,9 @@ bool BlockRun::machine_move() {
     // In G91 the value is an increment like any other.
     end[axis] = word.incremental ? on_grid(end[axis] - placement.length_taken[axis] + value) : value;
   }
-  const bool rapid = registers.modal[Group::motion] == code(0);
-  if ((!rapid && !cutting_feed()) || !absolute_first()) return false;
-  if (end != placement.machine && !push(rapid ? MoveMode::rapid : MoveMode::linear, end, end)) return false;
+  if (!absolute_first()) return false;
+  const MoveMode mode = registers.modal[Group::motion] == code(0) ? MoveMode::rapid : MoveMode::linear;
+  if (end != placement.machine && !(feed_given_for(mode) && push(mode, end, end))) return false;
   arrive_at_machine(end);
   return true;
 }
@@ -233,12 +236,12 @@ bool BlockRun::arc() {
   const bool made = words_.find('R') != nullptr ? arc_by_radius(plane, target, clockwise, geometry, nothing)
                                                 : arc_by_center(plane, target, clockwise, geometry);
   if (!made || nothing) return made;
-  if (!cutting_feed()) return false;
+  const MoveMode mode = clockwise ? MoveMode::clockwise : MoveMode::counterclockwise;
+  if (!feed_given_for(mode)) return false;
   Placement& placement = registers.placement;
   const Vec2 center = turned_point(placement, plane, {geometry.center[0], geometry.center[1]});
   geometry.center = {center.x + placement.length[plane.first], center.y + placement.length[plane.second]};
   const AxisVector end = machine_position(placement, target, AxisSet{plane.first, plane.second});
-  const MoveMode mode = clockwise ? MoveMode::clockwise : MoveMode::counterclockwise;
   if (!push(mode, end, target - workpiece_origin(registers, tables_), plane, geometry)) return false;
   arrive(target, AxisSet{plane.first, plane.second});
   return true;
