@@ -29,6 +29,8 @@ struct Dialect {
   std::string_view optional_stop_key;  ///< machine-file key that `--optional-stop` switches on; empty: none
   std::string_view block_skip_key;     ///< machine-file key that `--block-skip` switches on; empty: none
 
+  /// Whether a program is meant to be called by others and not to run by itself; null: none is.
+  bool (*is_subprogram)(const std::shared_ptr<const Source>&) = nullptr;
   /// Settings of its own that do not go together; null: all do.
   std::vector<SettingsError> (*contradictions)(const Settings&) = nullptr;
   std::shared_ptr<const BlockRules> (*rules)(const Settings&, const Machine&) = nullptr;

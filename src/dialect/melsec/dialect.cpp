@@ -2,6 +2,7 @@
 
 #include "dialect/melsec/alarms.hpp"
 #include "dialect/melsec/codes.hpp"
+#include "dialect/melsec/compile.hpp"
 #include "dialect/melsec/rules.hpp"
 #include "dialect/melsec/settings.hpp"
 
@@ -39,6 +40,7 @@ Dialect dialect() {
   d.codes = code_table();
   d.parameters = parameters();
   d.defaults = default_machine();
+  d.is_subprogram = is_subprogram;
   d.rules = make_rules;
   d.feed_policy = feed_policy;
   d.toolpath_policy = toolpath_policy;
