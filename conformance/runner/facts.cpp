@@ -76,7 +76,7 @@ class Inspector {
 
   bool add_position(Entry& found) const {
     if (found.name == "W")
-      add_axes(found, axes(), registers().position - run_.work_origin);
+      add_axes(found, axes(), run_.work_position);
     else if (found.name == "M")
       add_axes(found, axes(), run_.position);
     else if (found.name == "shift")

@@ -57,6 +57,11 @@ class BlockRules {
   virtual Alarm syntax_alarm(SyntaxFault fault, const SourceSpan& span) const = 0;
   /// Machine coordinates of the origin of the workpiece coordinate system in force.
   virtual AxisVector work_origin(const State& state) const = 0;
+  /// What the controller shows as the position in the workpiece coordinate system: without tool length
+  /// offset, and without rotation where the controller shows it so.
+  virtual AxisVector work_position(const State& state) const {
+    return state.registers.position - work_origin(state);
+  }
 };
 
 }  // namespace kerf

@@ -131,6 +131,12 @@ AxisVector Rules::work_origin(const State& state) const {
   return workpiece_origin(state.registers, state.tables);
 }
 
+AxisVector Rules::work_position(const State& state) const {
+  // In the coordinates before rotation (5.6 G68, program target position).
+  const Placement& placement = state.registers.placement;
+  return placement.machine - placement.length_taken - work_origin(state);
+}
+
 AxisVector workpiece_origin(const Registers& registers, const Tables& tables) {
   const auto system = static_cast<std::size_t>(registers.modal[Group::work_system] / 10 - 53);
   AxisVector origin = tables.work_offsets[system];

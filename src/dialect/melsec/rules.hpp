@@ -25,6 +25,7 @@ class Rules final : public BlockRules {
   void end_of_data(State& state, ActionQueue& queue) const override;
   Alarm syntax_alarm(SyntaxFault fault, const SourceSpan& span) const override;
   AxisVector work_origin(const State& state) const override;
+  AxisVector work_position(const State& state) const override;
 
   const ControllerSettings& settings() const { return settings_; }
   const Machine& machine() const { return machine_; }
