@@ -18,7 +18,7 @@ Move& push_pathless(MoveMode mode, double feed, ActionQueue& queue) {
 
 Move& push_straight(MoveMode mode, const AxisTargets& targets, Registers& registers,
                     const AxisVector& work_origin, ActionQueue& queue) {
-  Move& move = push_pathless(mode, registers.feed, queue);
+  Move& move = push_pathless(mode, mode == MoveMode::rapid ? 0.0 : registers.feed, queue);
   move.start = registers.position;
   move.end = registers.position;
   move.commanded = registers.position;
@@ -37,7 +37,7 @@ Move& push_straight(MoveMode mode, const AxisTargets& targets, Registers& regist
 
 Move& push_straight(MoveMode mode, const AxisVector& target, Registers& registers,
                     const AxisVector& work_origin, ActionQueue& queue) {
-  Move& move = push_pathless(mode, registers.feed, queue);
+  Move& move = push_pathless(mode, mode == MoveMode::rapid ? 0.0 : registers.feed, queue);
   move.start = registers.position;
   move.start[Axis::Z] += registers.length_applied;
   move.end = target;

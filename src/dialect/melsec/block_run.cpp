@@ -40,7 +40,9 @@ bool BlockRun::accept(const Word& word, const NumberResult& result, double& valu
 
 bool BlockRun::feed() {
   if (const Word* rapid = words_.rapid_feed()) {
-    if (feed_of(*rapid).fault != NumberFault::none) return refuse("0312H", span(*rapid));
+    const NumberResult speed = feed_of(*rapid);
+    if (speed.fault != NumberFault::none) return refuse("0312H", span(*rapid));
+    rapid_feed_ = speed.value;
   }
   const Word* word = words_.find('F');
   if (word == nullptr) return true;

@@ -83,6 +83,7 @@ class BlockRun {
   ActionQueue& queue_;
   FlowRequest& flow_;
   BlockWords words_;
+  double rapid_feed_ = 0.0;  ///< mm/min, of ,F; 0: not given
 };
 
 }  // namespace kerf::melsec

@@ -85,12 +85,12 @@ bool BlockWords::collect(const Block& block, CodeNumber distance, AxisSet machin
   for (std::size_t i = 0; i < block.words.size(); ++i) {
     const Word& word = block.words[i];
     bool good = true;
+    const bool argument = has(kMacroCall);
     if (word.address == 'G') {
       good = take_code(block, word, alarm);
-      if (good && has(kMacroCall)) {
-        first_argument_ = i + 1;
-        return true;
-      }
+      if (good && has(kMacroCall) && !argument) first_argument_ = i + 1;
+    } else if (argument) {
+      continue;
     } else if (word.address == 'M') {
       good = take_auxiliary(block, word, alarm);
     } else {

@@ -37,7 +37,7 @@ std::optional<CodeNumber> code_number(const Word& word);
 CodeSet set_of_known(CodeNumber number);
 
 /// Sorts a block. The last word of an address is valid, the last code of a group, the last four M codes; what
-/// stands behind G65 is an argument and nothing else.
+/// stands behind G65 is an argument, unless it is a G code.
 class BlockWords {
  public:
   static constexpr std::size_t kAuxiliaries = 4;

@@ -40,7 +40,7 @@ bool BlockRun::absolute_first() {
 bool BlockRun::push(MoveMode mode, const AxisVector& end, const AxisVector& commanded, const Plane& plane,
                     const Arc& arc) {
   Placement& placement = registers.placement;
-  Move& move = push_pathless(mode, registers.feed, queue_);
+  Move& move = push_pathless(mode, mode == MoveMode::rapid ? rapid_feed_ : registers.feed, queue_);
   move.start = placement.machine;
   move.end = end;
   move.commanded = commanded;

@@ -94,7 +94,7 @@ void Rules::begin_program(State& state) const {
   r.feed = 0.0;
   r.program = r.sequence_number = -1;
   state.tables.local_offsets = {};
-  state.variables.set_level(0);
+  state.variables.restart();
 }
 
 BlockOutcome Rules::execute(const Block& block, State& state, ActionQueue& queue,
