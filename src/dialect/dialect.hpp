@@ -31,6 +31,8 @@ struct Dialect {
 
   /// Whether a program is meant to be called by others and not to run by itself; null: none is.
   bool (*is_subprogram)(const std::shared_ptr<const Source>&) = nullptr;
+  /// What the dialect's own settings add to the machine; null: nothing.
+  void (*complete_machine)(const Settings&, Machine&) = nullptr;
   /// Settings of its own that do not go together; null: all do.
   std::vector<SettingsError> (*contradictions)(const Settings&) = nullptr;
   std::shared_ptr<const BlockRules> (*rules)(const Settings&, const Machine&) = nullptr;

@@ -61,6 +61,7 @@ tl::expected<Controller, std::vector<SettingsError>> make_controller(const Setup
   if (!errors.empty()) return tl::unexpected(std::move(errors));
   auto machine = build_machine(settings);
   if (!machine) return tl::unexpected(std::move(machine.error()));
+  if (chosen.complete_machine != nullptr) chosen.complete_machine(settings, *machine);
 
   if (chosen.contradictions != nullptr) errors = chosen.contradictions(settings);
   if (!errors.empty()) return tl::unexpected(std::move(errors));

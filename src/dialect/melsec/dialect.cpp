@@ -41,6 +41,7 @@ Dialect dialect() {
   d.parameters = parameters();
   d.defaults = default_machine();
   d.is_subprogram = is_subprogram;
+  d.complete_machine = complete_machine;
   d.rules = make_rules;
   d.feed_policy = feed_policy;
   d.toolpath_policy = toolpath_policy;

@@ -11,13 +11,27 @@
 #include "geometry/arc_construction.hpp"
 
 namespace kerf::melsec {
+/// An absolute value of a rotation axis of type 0 leaves out whole turns, one of type 1 takes the shorter way
+/// (4.2, rotation axis type). Positions run on over the turns; only what is shown stays within one.
+double BlockRun::absolute_target(Axis axis, double from, double to) const {
+  const ControllerSettings& settings = rules_.settings();
+  if (!settings.endless.contains(axis)) return on_grid(to);
+  double way = std::fmod(on_grid(to - from), 360.0);
+  if (settings.shortest.contains(axis)) {
+    if (way > 180.0) way -= 360.0;
+    if (way <= -180.0) way += 360.0;
+  }
+  return on_grid(from + way);
+}
+
 bool BlockRun::targets(AxisVector& target) {
   const AxisVector origin = workpiece_origin(registers, tables_);
   for (const Axis axis : words_.axes()) {
     const AxisWord& word = words_.axis(axis);
     double value = 0.0;
     if (!accept(*word.word, position_of(*word.word), value)) return false;
-    target[axis] = on_grid((word.incremental ? registers.position[axis] : origin[axis]) + value);
+    target[axis] = word.incremental ? on_grid(registers.position[axis] + value)
+                                    : absolute_target(axis, registers.position[axis], origin[axis] + value);
   }
   return true;
 }
@@ -100,7 +114,8 @@ bool BlockRun::machine_move() {
     double value = 0.0;
     if (!accept(*word.word, position_of(*word.word), value)) return false;
     // In G91 the value is an increment like any other.
-    end[axis] = word.incremental ? on_grid(end[axis] - placement.length_taken[axis] + value) : value;
+    end[axis] = word.incremental ? on_grid(end[axis] - placement.length_taken[axis] + value)
+                                 : absolute_target(axis, end[axis], value);
   }
   if (!absolute_first()) return false;
   const MoveMode mode = registers.modal[Group::motion] == code(0) ? MoveMode::rapid : MoveMode::linear;

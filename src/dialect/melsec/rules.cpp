@@ -1,5 +1,6 @@
 #include "dialect/melsec/rules.hpp"
 
+#include <cmath>
 #include <map>
 
 #include "dialect/melsec/alarms.hpp"
@@ -134,7 +135,15 @@ AxisVector Rules::work_origin(const State& state) const {
 AxisVector Rules::work_position(const State& state) const {
   // In the coordinates before rotation (5.6 G68, program target position).
   const Placement& placement = state.registers.placement;
-  return placement.machine - placement.length_taken - work_origin(state);
+  return shown(placement.machine - placement.length_taken - work_origin(state));
+}
+
+AxisVector Rules::shown(AxisVector position) const {
+  for (const Axis axis : settings_.endless) {
+    position[axis] = std::fmod(position[axis], 360.0);
+    if (position[axis] < 0.0) position[axis] += 360.0;
+  }
+  return position;
 }
 
 AxisVector workpiece_origin(const Registers& registers, const Tables& tables) {

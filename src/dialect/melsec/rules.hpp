@@ -26,6 +26,7 @@ class Rules final : public BlockRules {
   Alarm syntax_alarm(SyntaxFault fault, const SourceSpan& span) const override;
   AxisVector work_origin(const State& state) const override;
   AxisVector work_position(const State& state) const override;
+  AxisVector shown(AxisVector position) const override;
 
   const ControllerSettings& settings() const { return settings_; }
   const Machine& machine() const { return machine_; }

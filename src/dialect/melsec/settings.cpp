@@ -47,6 +47,9 @@ constexpr Parameter kParameters[] = {
      "1: high-accuracy control keeps the tolerable acceleration of each axis."},
     {"melsec.work.coordinate_rotation_type", kInteger, "0", "", 0, 1, "",
      "Start point of the first move behind G68: 0: where it is, 1: taken as turned along."},
+    {"melsec.axis.*.rotation_axis_type", kInteger, "0", "", 0, 3, "",
+     "0: turns without end, 1: the same and takes the shorter way, 3: positions run on like those of a "
+     "linear axis."},
     {"melsec.keep_arguments", kBoolean, "false", "", -kNoLimit, kNoLimit, "",
      "The signal that lets local variables without an argument keep their values at G65 (Rq.3385)."},
 };
@@ -87,8 +90,18 @@ ControllerSettings controller_settings(const Settings& s) {
   c.variables.locals = !s.text("melsec.system.local_start_device").empty();
   c.axis_tolerance = s.integer("melsec.system.per_axis_tolerable_acceleration") == 1;
   c.rotation_takes_start = s.integer("melsec.work.coordinate_rotation_type") == 1;
+  for (const Axis axis : s.axes()) {
+    if (s.text(expanded("axes.*.type", axis)) != "rotary") continue;
+    const std::int64_t type = s.integer(expanded("melsec.axis.*.rotation_axis_type", axis));
+    if (type <= 1) c.endless.insert(axis);
+    if (type == 1) c.shortest.insert(axis);
+  }
   c.keep_arguments = s.boolean("melsec.keep_arguments");
   return c;
+}
+
+void complete_machine(const Settings& settings, Machine& machine) {
+  for (const Axis axis : controller_settings(settings).endless) machine.axis[index(axis)].endless = true;
 }
 
 }  // namespace kerf::melsec

@@ -8,6 +8,7 @@
 #include "base/axis.hpp"
 #include "execute/macro_variables.hpp"
 #include "execute/modal.hpp"
+#include "machine/machine.hpp"
 #include "machine/parameter.hpp"
 #include "machine/settings.hpp"
 
@@ -20,6 +21,8 @@ struct ControllerSettings {
   double arc_deviation = 0.01;              ///< mm
   double arc_center_compensation = 0.0;     ///< mm; below 0: none, 0: two least increments
   std::array<std::optional<Axis>, 3> base;  ///< I, J, K
+  AxisSet endless;                          ///< rotation axes of type 0 and 1
+  AxisSet shortest;                         ///< those of type 1: absolute values are reached the shorter way
   MacroVariableLayout variables;
   bool axis_tolerance = false;        ///< tolerable acceleration control for each axis
   bool rotation_takes_start = false;  ///< coordinate rotation type 1: the start point turns along
@@ -29,5 +32,7 @@ struct ControllerSettings {
 std::span<const Parameter> parameters();
 std::span<const DefaultOverride> default_machine();
 ControllerSettings controller_settings(const Settings& settings);
+/// Rotation axes of type 0 and 1 have no limits (4.2, stored stroke limit).
+void complete_machine(const Settings& settings, Machine& machine);
 
 }  // namespace kerf::melsec
