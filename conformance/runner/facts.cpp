@@ -78,7 +78,7 @@ class Inspector {
     if (found.name == "W")
       add_axes(found, axes(), run_.work_position);
     else if (found.name == "M")
-      add_axes(found, axes(), run_.position);
+      add_axes(found, axes(), controller_.rules->shown(run_.position));
     else if (found.name == "shift")
       add_axes(found, axes(), registers().shift);
     else
