@@ -118,6 +118,7 @@ bool BlockCompiler::sequence_number() {
 bool BlockCompiler::statement() {
   const char c = parser_.peek();
   if (c == '#') return assignment() && nothing_more();
+  if (!at_keyword()) return words();
   if (parser_.take("IF")) return if_statement() && nothing_more();
   if (parser_.take("GOTO")) return go_to({}) && nothing_more();
   if (parser_.take("WHILE")) return while_statement() && nothing_more();
@@ -131,6 +132,13 @@ bool BlockCompiler::statement() {
   if (parser_.take("END")) return end_statement() && nothing_more();
   if (parser_.take("DO")) return do_statement({}) && nothing_more();
   return words();
+}
+
+/// Two letters in a row: no word begins so, only a keyword or a function.
+bool BlockCompiler::at_keyword() {
+  const bool letter = is_upper(parser_.peek());
+  const std::size_t next = parser_.position() + 1;
+  return letter && next < parser_.text().size() && is_upper(parser_.text()[next]);
 }
 
 /// An operation or control command stands alone in its block: a word behind it is 032CH, as is an operation
@@ -255,10 +263,12 @@ bool BlockCompiler::word() {
   Word word;
   const std::size_t start = parser_.position();
   word.comma = parser_.take(",");
-  for (const std::string_view keyword : kKeywords) {
-    if (parser_.take(keyword)) return parser_.fail("032CH");
-  }
   const char c = parser_.peek();
+  if (at_keyword()) {
+    for (const std::string_view keyword : kKeywords) {
+      if (parser_.take(keyword)) return parser_.fail("032CH");
+    }
+  }
   if (c == '#') return parser_.fail("032CH");
   if (is_lower(c) || (word.comma && c != 'F')) return parser_.fail("0305H");
   if (!is_upper(c)) return parser_.fail(c == '(' || c == '%' || c == '=' || is_digit(c) ? "0306H" : "0305H");

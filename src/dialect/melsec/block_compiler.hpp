@@ -35,6 +35,7 @@ class BlockCompiler {
   bool word();
   bool word_value(Word& word);
   bool loop_number(std::int32_t& number);
+  bool at_keyword();
   bool nothing_more();
   bool condition_in_brackets(std::string_view detail, ExpressionRef& condition);
 

@@ -1,6 +1,8 @@
 #include "dialect/melsec/numbers.hpp"
 
+#include <array>
 #include <cmath>
+#include <optional>
 
 namespace kerf::melsec {
 namespace {
@@ -28,8 +30,22 @@ NumberResult limited(const Word& word, double value, double lowest, double highe
   return {value, inside && !word.number.overflow ? NumberFault::none : NumberFault::range};
 }
 
+/// A length of up to four decimals in steps of 0.0001; nothing when it is another number.
+std::optional<std::int64_t> whole_steps(const Word& word) {
+  constexpr std::array<std::int64_t, 5> kStepsPerDigit{10'000, 1'000, 100, 10, 1};
+  constexpr std::int64_t kManyDigits = 10'000'000'000;
+  const Decimal& number = word.number;
+  if (word.is_computed || number.overflow || number.decimals > 4) return std::nullopt;
+  if (number.digits > kManyDigits || number.digits < -kManyDigits) return std::nullopt;
+  return number.has_point ? number.digits * kStepsPerDigit[number.decimals] : number.digits;
+}
+
 NumberResult length(const Word& word, double largest) {
   constexpr double kStepsPerUnit = 1e4;
+  if (const auto steps = whole_steps(word)) {
+    const double value = static_cast<double>(*steps) / kStepsPerUnit;
+    return {value, value >= -largest && value <= largest ? NumberFault::none : NumberFault::range};
+  }
   const double value = scaled(word, kStepsPerUnit);
   if (!std::isfinite(value)) return {value, NumberFault::range};
   const double steps = std::round(value * kStepsPerUnit);

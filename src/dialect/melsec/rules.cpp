@@ -6,6 +6,7 @@
 #include "dialect/melsec/alarms.hpp"
 #include "dialect/melsec/block_run.hpp"
 #include "dialect/melsec/compile.hpp"
+#include "dialect/melsec/coordinate_block.hpp"
 
 namespace kerf::melsec {
 namespace {
@@ -100,6 +101,12 @@ void Rules::begin_program(State& state) const {
 
 BlockOutcome Rules::execute(const Block& block, State& state, ActionQueue& queue,
                             BlockEffects& effects) const {
+  if (run_coordinate_block(*this, block, state, queue)) return BlockOutcome::done;
+  return execute_whole(block, state, queue, effects);
+}
+
+BlockOutcome Rules::execute_whole(const Block& block, State& state, ActionQueue& queue,
+                                  BlockEffects& effects) const {
   const Registers before = state.registers;
   BlockRun run(*this, block, state, queue, effects.flow);
   if (!run.run()) {

@@ -33,6 +33,10 @@ class Rules final : public BlockRules {
   const Travel& travel() const { return travel_; }
 
  private:
+  /// Apart from execute(), whose stack frame it would make large: most blocks do not come here.
+  [[gnu::noinline]] BlockOutcome execute_whole(const Block& block, State& state, ActionQueue& queue,
+                                               BlockEffects& effects) const;
+
   ControllerSettings settings_;
   Machine machine_;
   Travel travel_;

@@ -1,0 +1,131 @@
+// The short way for blocks of coordinates must give what the whole way gives: random programs are executed as
+// they are and with a D word, which changes nothing but the way, in every block of coordinates.
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gtest/gtest.h>
+#include <random>
+
+#include "dialect/setup.hpp"
+#include "execute/interpreter.hpp"
+
+namespace kerf {
+namespace {
+
+using Random = std::mt19937;
+
+unsigned below(Random& random, unsigned limit) {
+  return static_cast<unsigned>(random() % limit);
+}
+
+std::string number(Random& random) {
+  const double value = static_cast<double>(static_cast<int>(below(random, 400000)) - 200000) / 10000.0;
+  switch (below(random, 5)) {
+    case 0:
+      return fmt::format("{:.0f}.", value);
+    case 1:
+      return fmt::format("{}", static_cast<int>(value * 10000.0));
+    case 2:
+      return fmt::format("{:.5f}", value);
+    case 3:
+      return fmt::format("[{:.1f}+1]", std::abs(value));
+    default:
+      return fmt::format("{:.3f}", value);
+  }
+}
+
+std::string coordinates(Random& random) {
+  std::string block;
+  for (const char axis : {'X', 'Y', 'Z', 'C', 'X'}) {
+    if (below(random, 5) < 2) block += fmt::format("{}{}", axis, number(random));
+  }
+  return block;
+}
+
+std::string change(Random& random) {
+  constexpr const char* kChanges[] = {"G00",        "G01",   "G90",     "G91",   "G54",    "G55",
+                                      "G61",        "G64",   "G61.1",   "G43H1", "G44XH1", "G49",
+                                      "G52Y3.",     "F300.", "G68R30.", "G69",   "G90X1.", "G53X5.Y5.",
+                                      "G02X1.R50.", "M10",   "G04P5"};
+  const std::string chosen = kChanges[below(random, std::size(kChanges))];
+  return chosen == "G44XH1" ? "G44X1.H1" : chosen;
+}
+
+struct Programs {
+  std::string plain;
+  std::string marked;
+};
+
+Programs random_programs(unsigned seed) {
+  Random random(seed);
+  Programs programs;
+  programs.plain = "%\nG90\n";
+  if (below(random, 2) == 0) programs.plain += "F100.\n";
+  programs.marked = programs.plain;
+  for (int i = 0; i < 60; ++i) {
+    if (below(random, 3) == 0) {
+      const std::string block = change(random) + "\n";
+      programs.plain += block;
+      programs.marked += block;
+    } else if (const std::string block = coordinates(random); !block.empty()) {
+      programs.plain += block + "\n";
+      programs.marked += block + "D0\n";
+    }
+  }
+  programs.plain += "M02\n%\n";
+  programs.marked += "M02\n%\n";
+  return programs;
+}
+
+std::string describe(const AxisVector& v) {
+  return fmt::format("{}", fmt::join(v.values, " "));
+}
+
+std::string describe(const Action& action) {
+  if (const auto* alarm = std::get_if<Alarm>(&action.what)) return std::string(alarm->kind->detail);
+  const auto* move = std::get_if<Move>(&action.what);
+  if (move == nullptr) return fmt::format("action {}", action.what.index());
+  return fmt::format("{} {} {} | {} | {} | {} F{}", static_cast<int>(move->mode), move->from_rest,
+                     move->exact_stop, describe(move->start), describe(move->end), describe(move->commanded),
+                     move->feed);
+}
+
+std::vector<std::string> transcript(const Controller& controller, const std::string& text) {
+  Interpreter program(controller.rules, Source::from_text("O001.gcd", text), controller.interpreter_options);
+  std::vector<std::string> lines;
+  while (lines.size() < 1000) {
+    const Action* action = program.next();
+    if (action == nullptr) break;
+    lines.push_back(fmt::format("{}: {}", action->origin.span.line, describe(*action)));
+    program.recover();
+  }
+  return lines;
+}
+
+void expect_same(const std::vector<std::string>& assignments) {
+  SetupOptions options;
+  options.dialect = "melsec";
+  options.assignments = assignments;
+  const auto controller = make_controller(options);
+  ASSERT_TRUE(controller.has_value());
+  std::size_t actions = 0;
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    const Programs programs = random_programs(seed);
+    const auto expected = transcript(*controller, programs.marked);
+    ASSERT_EQ(transcript(*controller, programs.plain), expected) << programs.plain;
+    actions += expected.size();
+  }
+  EXPECT_GT(actions, 200U * 20U);
+}
+
+TEST(MelsecShortWay, GivesWhatTheWholeWayGives) {
+  expect_same({"offsets.G55.X=12.3456", "tools.1.length=7", "axes.Y.limits=[-30,30]"});
+}
+
+TEST(MelsecShortWay, GivesWhatTheWholeWayGivesWithOtherSettings) {
+  expect_same({"melsec.work.coordinate_rotation_type=1", "melsec.axis.C.rotation_axis_type=3",
+               "tools.1.length=-2.5", "axes.X.limits=[-40,100]"});
+}
+
+}  // namespace
+}  // namespace kerf
