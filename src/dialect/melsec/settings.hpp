@@ -26,6 +26,8 @@ struct ControllerSettings {
 
 std::span<const Parameter> parameters();
 std::span<const DefaultOverride> default_machine();
+/// The details codes of values that single keys, shared ones too, cannot have.
+std::span<const KeyAlarm> key_alarms();
 ControllerSettings controller_settings(const Settings& settings);
 
 }  // namespace kerf::melsec
