@@ -187,6 +187,17 @@ TEST(MelsecParameters, TheTextNamesCodeKeyAndRemedy) {
             "m.toml:2:10: 30FDH/0024H Software limit setting error: 'axes");
 }
 
+TEST(MelsecParameters, NamesOfTheManualLeadToTheSharedKeys) {
+  EXPECT_EQ(
+      text_of(melsec_of({"melsec.axis.Y.rapid_speed=5000"})),
+      "--set melsec.axis.Y.rapid_speed=5000: 'melsec.axis.Y.rapid_speed' is a setting that every dialect "
+      "has; set 'axes.Y.rapid'");
+  EXPECT_EQ(
+      text_of(melsec_of({}, "[melsec.work]\nwork_offset_x = 1\n")),
+      "m.toml:2:1: 'melsec.work.work_offset_x' is a setting that every dialect has; set 'offsets.G54.X' "
+      "and so on");
+}
+
 TEST(MelsecParameters, TheDefaultMachineIsGoodAndWritesItself) {
   const Schema schema = schema_of(*find_dialect("melsec"));
   EXPECT_EQ(schema_faults(schema), std::vector<std::string>{});

@@ -29,7 +29,8 @@ struct Dialect {
   std::string_view optional_stop_key;  ///< machine-file key that `--optional-stop` switches on; empty: none
   std::string_view block_skip_key;     ///< machine-file key that `--block-skip` switches on; empty: none
 
-  std::span<const KeyAlarm> key_alarms;  ///< its alarms for bad values of single keys
+  std::span<const KeyAlarm> key_alarms;      ///< its alarms for bad values of single keys
+  std::span<const SharedName> shared_names;  ///< its manual's names of shared keys
 
   /// Sets the defaults that follow from other settings, once these are all known; null: there are none.
   void (*complete)(Settings&) = nullptr;

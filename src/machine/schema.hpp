@@ -20,6 +20,12 @@ struct KeyAlarm {
   const AlarmKind* kind = nullptr;
 };
 
+/// A name of the controller's manual whose value every dialect has under a shared key.
+struct SharedName {
+  std::string_view key;     ///< as users of the manual would write it: melsec.axis.*.rapid_speed
+  std::string_view remedy;  ///< what to write instead: "set 'axes.*.rapid'"
+};
+
 /// The declarations in force for one dialect. The tables must outlive everything made from them: static
 /// tables do.
 struct Schema {
@@ -30,6 +36,7 @@ struct Schema {
   /// file can describe a machine for several dialects. Any other unknown section is an error.
   std::span<const std::string_view> foreign_sections;
   std::span<const KeyAlarm> alarms = {};
+  std::span<const SharedName> shared_names = {};
 };
 
 /// A key cut at its dots: {"axes", "X", "rapid"}.

@@ -45,6 +45,7 @@ Dialect dialect() {
   d.parameters = parameters();
   d.defaults = default_machine();
   d.key_alarms = key_alarms();
+  d.shared_names = shared_names();
   d.complete = complete_limits;
   d.contradictions = contradictions;
   d.rules = make_rules;

@@ -219,6 +219,28 @@ constexpr DefaultOverride kDefaultMachine[] = {
     {"melsec.axis.*.g1_time_constant", "100.0"},
 };
 
+constexpr SharedName kSharedNames[] = {
+    {"melsec.system.number_of_axes_on_line", "give each axis of the line a table such as [axes.X]"},
+    {"melsec.axis.*.axis_number", "set 'axes.*.number'"},
+    {"melsec.axis.*.axis_name", "the name of the table [axes.*] names the axis"},
+    {"melsec.axis.*.rotation_axis", "set 'axes.*.type' to \"linear\" or \"rotary\""},
+    {"melsec.axis.*.software_limit_minus", "set 'axes.*.limits' to [low, high]"},
+    {"melsec.axis.*.software_limit_plus", "set 'axes.*.limits' to [low, high]"},
+    {"melsec.axis.*.rapid_speed", "set 'axes.*.rapid'"},
+    {"melsec.axis.*.cutting_clamp_speed", "set 'axes.*.max_feed'"},
+    {"melsec.work.tool_radius_amount", "set 'tools.1.radius' and so on"},
+    {"melsec.work.tool_length_amount", "set 'tools.1.length' and so on"},
+    {"melsec.work.work_offset_x", "set 'offsets.G54.X' and so on"},
+    {"melsec.work.work_offset_y", "set 'offsets.G54.Y' and so on"},
+    {"melsec.work.work_offset_z", "set 'offsets.G54.Z' and so on"},
+    {"melsec.work.work_offset_a", "set 'offsets.G54.A' and so on"},
+    {"melsec.work.work_offset_b", "set 'offsets.G54.B' and so on"},
+    {"melsec.work.work_offset_c", "set 'offsets.G54.C' and so on"},
+    {"melsec.work.work_offset_u", "set 'offsets.G54.U' and so on"},
+    {"melsec.work.work_offset_v", "set 'offsets.G54.V' and so on"},
+    {"melsec.work.work_offset_w", "set 'offsets.G54.W' and so on"},
+};
+
 }  // namespace
 
 std::span<const Parameter> parameters() {
@@ -227,6 +249,10 @@ std::span<const Parameter> parameters() {
 
 std::span<const DefaultOverride> default_machine() {
   return kDefaultMachine;
+}
+
+std::span<const SharedName> shared_names() {
+  return kSharedNames;
 }
 
 std::span<const KeyAlarm> key_alarms() {

@@ -28,6 +28,8 @@ std::span<const Parameter> parameters();
 std::span<const DefaultOverride> default_machine();
 /// The details codes of values that single keys, shared ones too, cannot have.
 std::span<const KeyAlarm> key_alarms();
+/// The parameters of the manual that a shared key sets.
+std::span<const SharedName> shared_names();
 ControllerSettings controller_settings(const Settings& settings);
 
 }  // namespace kerf::melsec
