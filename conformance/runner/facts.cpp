@@ -76,9 +76,9 @@ class Inspector {
 
   bool add_position(Entry& found) const {
     if (found.name == "W")
-      add_axes(found, axes(), registers().position - run_.work_origin);
+      add_axes(found, axes(), run_.work_position);
     else if (found.name == "M")
-      add_axes(found, axes(), run_.position);
+      add_axes(found, axes(), controller_.rules->shown(run_.position));
     else if (found.name == "shift")
       add_axes(found, axes(), registers().shift);
     else

@@ -105,6 +105,7 @@ ProgramRun Rig::run(const ProgramSection& program, const std::string& text) {
   }
   run.state = interpreter_->state();
   run.work_origin = controller_.rules->work_origin(run.state);
+  run.work_position = controller_.rules->work_position(run.state);
   run.position = position_;
   run.spindle = spindle_;
   return run;

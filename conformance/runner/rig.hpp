@@ -19,9 +19,10 @@ struct ProgramRun {
   std::vector<Action> actions;
   std::vector<Entry> events;  ///< of all kinds, moves of no length left out
   State state;
-  AxisVector work_origin;  ///< machine coordinates, of the system in force at the end
-  AxisVector position;     ///< machine coordinates where the axes stand at the end
-  Spindle spindle;         ///< the last spindle action; off before any
+  AxisVector work_position;  ///< what the controller shows at the end
+  AxisVector work_origin;    ///< machine coordinates, of the system in force at the end
+  AxisVector position;       ///< machine coordinates where the axes stand at the end
+  Spindle spindle;           ///< the last spindle action; off before any
 };
 
 /// Programs of a case follow each other on one controller: offsets, shifts, tool and positions carry over.

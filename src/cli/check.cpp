@@ -1,72 +1,203 @@
 // kerf check: every alarm of the programs, without motion planning.
 
+#include <filesystem>
 #include <fmt/format.h>
+#include <map>
 #include <memory>
+#include <set>
 #include <unistd.h>
 
 #include "cli/commands.hpp"
 #include "cli/console.hpp"
 #include "cli/exit_status.hpp"
+#include "cli/file_clash.hpp"
 #include "cli/job.hpp"
+#include "cli/parallel.hpp"
+#include "cli/program_files.hpp"
+#include "cli/version.hpp"
+#include "report/atomic_file.hpp"
+#include "report/check_report.hpp"
 #include "report/diagnostic.hpp"
 #include "report/text_escape.hpp"
 
 namespace kerf {
 namespace {
 
-struct Counts {
-  std::uint64_t alarms = 0;
-  std::uint64_t warnings = 0;
+/// A program and what its check gave.
+struct Check {
+  CheckedProgram result;
+  std::string text;              ///< the diagnostics and a line with their number
+  std::set<std::string> called;  ///< files of the subprograms it called
 };
 
-Counts check_program(const Prepared& prepared, const CheckOptions& options, ResultStream& out) {
-  const Source& source = *prepared.source;
-  const DiagnosticStyle style = style_of_stream(STDOUT_FILENO, options.common.color);
-  auto job = std::make_unique<Job>(prepared.controller, prepared.source);
-  ProgressLine progress;
-  Counts counts;
-  std::uint32_t seen = 0;
-  while (const Action* action = job->next()) {
-    if ((++seen & 0xFFFU) == 0) progress.show(share_read(source, *action), source.name());
-    const auto* alarm = std::get_if<Alarm>(&action->what);
-    if (alarm == nullptr) continue;
-    const bool stops = stops_program(*alarm);
-    (stops ? counts.alarms : counts.warnings) += 1;
-    const auto place = job->source_of(*action);
-    append_diagnostic(out.text(), place->name(), place->text(), *alarm, style);
-    out.text() += '\n';
-    out.overflow();
-    if (counts.alarms >= static_cast<std::uint64_t>(options.max_alarms)) {
-      append_visible(out.text(), source.name());
-      out.text() += fmt::format(": {}, the rest is not checked (--max-alarms)\n",
-                                count_text(counts.alarms, "alarm", "alarms"));
-      break;
+class Checker {
+ public:
+  Checker(const CheckOptions& options, std::size_t programs)
+      : options_(options),
+        style_(style_of_stream(STDOUT_FILENO, options.common.color)),
+        alone_(programs == 1) {}
+
+  /// `in_folder`: the file is one of a store, so a subprogram is left to the programs that call it.
+  Check check(const std::string& file, bool in_folder) const {
+    Check check;
+    check.result.file = file;
+    auto prepared = prepare(file, options_.common);
+    if (!prepared) {
+      check.result.outcome = CheckOutcome::unreadable;
+      check.result.message = "cannot be checked";
+      return check;
     }
-    if (stops) job->recover();
+    const auto is_subprogram = prepared->controller.dialect->is_subprogram;
+    if (in_folder && is_subprogram != nullptr && is_subprogram(prepared->source)) {
+      check.result.outcome = CheckOutcome::not_called;
+      return check;
+    }
+    execute(*prepared, check);
+    return check;
   }
-  append_visible(out.text(), source.name());
-  out.text() += fmt::format(": {}, {}, {} executed\n", count_text(counts.alarms, "alarm", "alarms"),
-                            count_text(counts.warnings, "warning", "warnings"),
-                            count_text(job->interpreter().blocks(), "block", "blocks"));
-  return counts;
+
+ private:
+  void execute(Prepared& prepared, Check& check) const {
+    watch_calls(prepared.controller.interpreter_options.programs, check.called);
+    // A main program that ends with M99 would begin anew for ever.
+    prepared.controller.interpreter_options.most_restarts = 0;
+    const Source& source = *prepared.source;
+    auto job = std::make_unique<Job>(prepared.controller, prepared.source);
+    std::optional<ProgressLine> progress;
+    if (alone_) progress.emplace();
+    CheckedProgram& result = check.result;
+    std::uint32_t seen = 0;
+    while (const Action* action = job->next()) {
+      if (progress && (++seen & 0xFFFFU) == 0) progress->show(share_read(source, *action), source.name());
+      const auto* alarm = std::get_if<Alarm>(&action->what);
+      if (alarm == nullptr) continue;
+      note(*job, *action, *alarm, check);
+      if (result.alarms >= static_cast<std::uint64_t>(options_.max_alarms)) {
+        append_visible(check.text, source.name());
+        check.text += fmt::format(": {}, the rest is not checked (--max-alarms)\n",
+                                  count_text(result.alarms, "alarm", "alarms"));
+        break;
+      }
+      if (stops_program(*alarm)) job->recover();
+    }
+    result.blocks = job->interpreter().blocks();
+    append_visible(check.text, source.name());
+    check.text += fmt::format(": {}, {}, {} executed\n", count_text(result.alarms, "alarm", "alarms"),
+                              count_text(result.warnings, "warning", "warnings"),
+                              count_text(result.blocks, "block", "blocks"));
+  }
+
+  void note(const Job& job, const Action& action, const Alarm& alarm, Check& check) const {
+    (stops_program(alarm) ? check.result.alarms : check.result.warnings) += 1;
+    const auto place = job.source_of(action);
+    append_diagnostic(check.text, place->name(), place->text(), alarm, style_);
+    check.text += '\n';
+    check.result.findings.push_back({place->name(), alarm});
+  }
+
+  static void watch_calls(ProgramTexts& programs, std::set<std::string>& called) {
+    programs = [inner = std::move(programs), &called](std::int32_t number) {
+      auto source = inner(number);
+      if (source != nullptr) called.insert(source->name());
+      return source;
+    };
+  }
+
+  const CheckOptions& options_;
+  DiagnosticStyle style_;
+  bool alone_;
+};
+
+struct Work {
+  std::string file;
+  bool in_folder = false;
+};
+
+/// The files named and those of the folders named; false: the message is on standard error.
+bool collect_work(const CheckOptions& options, std::vector<Work>& work) {
+  for (const std::string& name : options.files) {
+    if (!std::filesystem::is_directory(name)) {
+      work.push_back({name, false});
+      continue;
+    }
+    const std::vector<std::string> files = program_files_in(name);
+    if (files.empty()) {
+      print_error(fmt::format("the folder {} holds no NC program", name),
+                  "name a folder with files like O001.gcd or part.nc, or name the files themselves");
+      return false;
+    }
+    for (const std::string& file : files) work.push_back({file, true});
+  }
+  return true;
+}
+
+bool outputs_are_good(const CheckOptions& options, const std::vector<Work>& work) {
+  std::vector<NamedFile> inputs;
+  for (const Work& item : work) inputs.push_back({item.file, "a program"});
+  if (options.common.machine_file) inputs.push_back({*options.common.machine_file, "the machine file"});
+  std::vector<NamedFile> outputs;
+  if (options.junit) outputs.push_back({*options.junit, "--junit"});
+  if (options.sarif) outputs.push_back({*options.sarif, "--sarif"});
+  const auto clash = file_clash(inputs, outputs);
+  if (clash) print_error(*clash, "give each output a name of its own");
+  return !clash;
+}
+
+/// Subprograms learn who called them.
+void name_callers(std::vector<Check>& checks) {
+  std::map<std::string, std::string> callers;
+  for (const Check& check : checks) {
+    for (const std::string& called : check.called) callers.emplace(called, check.result.file);
+  }
+  for (Check& check : checks) {
+    const auto caller = callers.find(check.result.file);
+    if (check.result.outcome != CheckOutcome::not_called || caller == callers.end()) continue;
+    check.result.outcome = CheckOutcome::called;
+    check.result.caller = caller->second;
+  }
+}
+
+bool write_or_complain(const std::optional<std::string>& path, const std::string& text) {
+  if (!path) return true;
+  const auto written = write_file(*path, text);
+  if (!written) print_error(written.error().message, written.error().remedy);
+  return written.has_value();
+}
+
+int status_of(const std::vector<CheckedProgram>& programs) {
+  int status = kExitGood;
+  for (const CheckedProgram& program : programs) {
+    if (program.outcome == CheckOutcome::unreadable) return kExitUsage;
+    if (program.alarms > 0) status = kExitAlarm;
+  }
+  return status;
 }
 
 }  // namespace
 
 int check_command(const CheckOptions& options) {
+  std::vector<Work> work;
+  if (!collect_work(options, work) || !outputs_are_good(options, work)) return kExitUsage;
+  std::vector<Check> checks(work.size());
+  const Checker checker(options, work.size());
+  for_each_in_parallel(work.size(),
+                       [&](std::size_t i) { checks[i] = checker.check(work[i].file, work[i].in_folder); });
+  name_callers(checks);
+
   ResultStream out;
-  int status = kExitGood;
-  for (const std::string& file : options.files) {
-    const auto prepared = prepare(file, options.common);
-    if (!prepared) {
-      status = kExitUsage;
-      continue;
-    }
-    const Counts counts = check_program(*prepared, options, out);
-    if (counts.alarms > 0 && status == kExitGood) status = kExitAlarm;
+  std::vector<CheckedProgram> programs;
+  bool any_folder = false;
+  for (std::size_t i = 0; i < checks.size(); ++i) {
+    out.text() += checks[i].text;
+    out.overflow();
+    any_folder = any_folder || work[i].in_folder;
+    programs.push_back(std::move(checks[i].result));
   }
+  if (any_folder) out.text() += '\n' + check_table(programs);
   out.flush();
-  return out.good() ? status : kExitUsage;
+  const bool written = write_or_complain(options.junit, options.junit ? junit_text(programs) : "") &&
+                       write_or_complain(options.sarif, options.sarif ? sarif_text(programs, version()) : "");
+  return out.good() && written ? status_of(programs) : kExitUsage;
 }
 
 }  // namespace kerf

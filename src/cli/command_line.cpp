@@ -79,17 +79,20 @@ void choose(CLI::App& command, CommandAction& action, const std::shared_ptr<Opti
 void add_check(CLI::App& app, CommandAction& action) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command = app.add_subcommand("check", "Check programs: every alarm with place, cause and remedy");
-  command->add_option("FILE", options->files, "NC programs (- for standard input)")
+  command->add_option("FILE", options->files, "NC programs, or folders of programs (- for standard input)")
       ->required()
       ->type_name("");
   command->add_option("--max-alarms", options->max_alarms, "Stop checking a program after so many alarms")
       ->capture_default_str()
       ->check(CLI::Range(1, 1'000'000));
+  command->add_option("--junit", options->junit, "Write the results as JUnit XML")->type_name("OUT.xml");
+  command->add_option("--sarif", options->sarif, "Write the alarms as SARIF 2.1.0")->type_name("OUT.sarif");
   add_program_options(*command, options->common);
   command->footer(
       "Examples:\n"
       "  kerf check part.nc\n"
       "  kerf check --machine mill.toml *.nc\n"
+      "  kerf check programs/ --junit check.xml --sarif check.sarif\n"
       "  kerf check part.nc --set dgshape.decimal_point=all");
   choose(*command, action, options, check_command);
 }

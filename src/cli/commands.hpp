@@ -11,8 +11,10 @@ namespace kerf {
 
 struct CheckOptions {
   CommonOptions common;
-  std::vector<std::string> files;
+  std::vector<std::string> files;  ///< or folders of programs
   int max_alarms = 20;
+  std::optional<std::string> junit;
+  std::optional<std::string> sarif;
 };
 int check_command(const CheckOptions& options);
 

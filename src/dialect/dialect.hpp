@@ -34,6 +34,8 @@ struct Dialect {
 
   /// Sets the defaults that follow from other settings, once these are all known; null: there are none.
   void (*complete)(Settings&) = nullptr;
+  /// Whether a program is meant to be called by others and not to run by itself; null: none is.
+  bool (*is_subprogram)(const std::shared_ptr<const Source>&) = nullptr;
   /// Settings of its own that do not go together; null: all do.
   std::vector<SettingsError> (*contradictions)(const Settings&) = nullptr;
   std::shared_ptr<const BlockRules> (*rules)(const Settings&, const Machine&) = nullptr;

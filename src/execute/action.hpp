@@ -67,6 +67,7 @@ struct RotaryFeed {
 
 struct Move {
   MoveMode mode = MoveMode::rapid;
+  bool from_rest = false;   ///< the axes come to rest before it
   bool exact_stop = false;  ///< the axes come to rest at the end
   bool axis_words = true;   ///< the block names an axis of the plane, even when the distance is zero
   Plane plane = kPlaneXY;
@@ -76,8 +77,8 @@ struct Move {
   AxisVector end;        ///< machine coordinates
   AxisVector commanded;  ///< end in the coordinate system the block was written in, before tool
                          ///< compensations: the workpiece coordinate system, or the machine's for G53
-  double feed = 0.0;     ///< programmed mm/min, before override; unused for rapid
-  Arc arc;               ///< only when is_arc(mode)
+  double feed = 0.0;  ///< programmed mm/min, before override; of a rapid move its highest speed, 0: the axes'
+  Arc arc;            ///< only when is_arc(mode)
 };
 
 /// Corner arc of the tool radius compensation (G39): turn on the spot to the direction of the next move.

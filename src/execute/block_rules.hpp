@@ -57,6 +57,13 @@ class BlockRules {
   virtual Alarm syntax_alarm(SyntaxFault fault, const SourceSpan& span) const = 0;
   /// Machine coordinates of the origin of the workpiece coordinate system in force.
   virtual AxisVector work_origin(const State& state) const = 0;
+  /// What the controller shows as the position in the workpiece coordinate system: without tool length
+  /// offset, and without rotation where the controller shows it so.
+  /// A position as the controller shows it: an axis that turns without end within one turn.
+  virtual AxisVector shown(AxisVector position) const { return position; }
+  virtual AxisVector work_position(const State& state) const {
+    return state.registers.position - work_origin(state);
+  }
 };
 
 }  // namespace kerf

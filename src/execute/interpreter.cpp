@@ -15,7 +15,8 @@ Interpreter::Interpreter(std::shared_ptr<const BlockRules> rules, std::shared_pt
 }
 
 void Interpreter::limit_rounds() {
-  if (auto* flow = std::get_if<ProgramFlow>(&feed_)) flow->limit_rounds(options_.most_rounds);
+  if (auto* flow = std::get_if<ProgramFlow>(&feed_))
+    flow->limit(options_.most_rounds, options_.most_restarts);
 }
 
 void Interpreter::load(std::shared_ptr<const Source> source, const AxisVector& position) {
@@ -105,6 +106,7 @@ void Interpreter::read_block(ProgramFlow& flow) {
   registers.program = flow.program().number;
   if (flow.sequence_number() >= 0) registers.sequence_number = flow.sequence_number();
   if (result == ProgramFlow::Result::end) reach_end(flow.span());
+  if (result == ProgramFlow::Result::over) finished_ = true;
   if (result == ProgramFlow::Result::block) {
     execute_block();
     if (finished_) result = flow.finish();

@@ -1,27 +1,24 @@
 #include "execute/moves.hpp"
 
 namespace kerf {
-namespace {
 
-/// The next move, with everything but its way filled in.
-Move& push_pathless(MoveMode mode, const Registers& registers, ActionQueue& queue) {
+Move& push_pathless(MoveMode mode, double feed, ActionQueue& queue) {
   Move& move = queue.push_unset_move();
   move.mode = mode;
+  move.from_rest = false;
   move.exact_stop = false;
   move.axis_words = true;
   move.plane = kPlaneXY;
   move.compensation = {};
   move.rotary_feed = {};
-  move.feed = registers.feed;
+  move.feed = feed;
   move.arc = {};
   return move;
 }
 
-}  // namespace
-
 Move& push_straight(MoveMode mode, const AxisTargets& targets, Registers& registers,
                     const AxisVector& work_origin, ActionQueue& queue) {
-  Move& move = push_pathless(mode, registers, queue);
+  Move& move = push_pathless(mode, mode == MoveMode::rapid ? 0.0 : registers.feed, queue);
   move.start = registers.position;
   move.end = registers.position;
   move.commanded = registers.position;
@@ -40,7 +37,7 @@ Move& push_straight(MoveMode mode, const AxisTargets& targets, Registers& regist
 
 Move& push_straight(MoveMode mode, const AxisVector& target, Registers& registers,
                     const AxisVector& work_origin, ActionQueue& queue) {
-  Move& move = push_pathless(mode, registers, queue);
+  Move& move = push_pathless(mode, mode == MoveMode::rapid ? 0.0 : registers.feed, queue);
   move.start = registers.position;
   move.start[Axis::Z] += registers.length_applied;
   move.end = target;

@@ -12,6 +12,9 @@ inline AxisVector with_length(AxisVector position, double length_offset) {
   return position;
 }
 
+/// Pushes a move with everything but its way filled in: start, end, commanded.
+Move& push_pathless(MoveMode mode, double feed, ActionQueue& queue);
+
 /// Where some of the axes go, machine coordinates without length offset.
 struct AxisTargets {
   AxisSet axes;

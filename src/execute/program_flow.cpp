@@ -322,6 +322,7 @@ ProgramFlow::Result ProgramFlow::go_back(const FlowRequest& request, MacroVariab
     leave_loops(target_frame, target_frame.call);
     if (!may_jump_to(target_frame, target)) return refuse(FlowFault::jump_into_loop);
   }
+  if (main && target <= frame.next && ++restarts_ > most_restarts_) return Result::over;
   if (!main) {
     if (frame.macro) variables.set_level(variables.level() - 1);
     frame.program.reset();

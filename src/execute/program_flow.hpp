@@ -63,15 +63,22 @@ class ProgramFlow {
   /// Jumps back, repetitions and calls after which a program counts as endless: seconds of work.
   static constexpr std::uint32_t kMostRounds = 100'000'000;
 
-  enum class Result : std::uint8_t { block, end, fault };
+  enum class Result : std::uint8_t {
+    block,
+    end,   ///< a program ended without a word that ends it
+    over,  ///< the main program would begin anew more often than is wanted
+    fault
+  };
 
   ProgramFlow(std::shared_ptr<const CompiledProgram> program, ProgramFinder finder, const FlowAlarms& alarms);
 
   /// Goes on to the next block for the block rules. After `fault` the way goes on behind the faulty block.
-  /// `end`: a program ended without a word that ends it.
   Result next(Block& block, MacroVariables& variables);
-  /// Another number of rounds than kMostRounds.
-  void limit_rounds(std::uint32_t most) { most_rounds_ = most; }
+  /// Another number of rounds than kMostRounds, and how often the main program may begin anew.
+  void limit(std::uint32_t most_rounds, std::uint32_t most_restarts) {
+    most_rounds_ = most_rounds;
+    most_restarts_ = most_restarts;
+  }
   /// Carries out what the block just executed asks for.
   Result carry_out(const FlowRequest& request, MacroVariables& variables);
   /// The program ends at this place: a fault when a loop around it has no END.
@@ -128,6 +135,8 @@ class ProgramFlow {
   FlowAlarms alarms_;
   std::uint32_t rounds_ = 0;
   std::uint32_t most_rounds_ = kMostRounds;
+  std::uint32_t restarts_ = 0;  ///< times the main program went back by itself
+  std::uint32_t most_restarts_ = 0xFFFFFFFF;
   StatementFault fault_;
   SourceSpan span_;
   std::int32_t sequence_number_ = -1;

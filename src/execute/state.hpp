@@ -9,6 +9,7 @@
 #include "execute/action.hpp"
 #include "execute/macro_variables.hpp"
 #include "execute/modal.hpp"
+#include "geometry/turn.hpp"
 #include "machine/machine.hpp"
 
 namespace kerf {
@@ -36,6 +37,26 @@ struct CycleWords {
   double dwell_s = 0.0;
 };
 
+/// Turning of the programmed plane about a point.
+struct PlaneRotation {
+  bool active = false;
+  Plane plane;
+  Vec2 center;             ///< machine coordinates
+  double angle_deg = 0.0;  ///< counterclockwise; stays when the rotation ends
+  Turn turn;               ///< by the angle
+};
+
+/// What lies between the programmed position and the axes where it is more than an offset of Z: kept by
+/// dialects that turn coordinates and offset the tool's length along any axis.
+struct Placement {
+  AxisVector machine;       ///< where the axes stand behind the last move, machine coordinates
+  AxisVector length;        ///< mm, the tool length offset in force
+  AxisVector length_taken;  ///< mm, the part of `machine` that is tool length offset
+  PlaneRotation rotation;
+  bool absolute_wanted = false;  ///< the next move must be absolute, because the rotation has changed
+  bool rest_wanted = false;      ///< the next move begins from rest
+};
+
 /// What a block may change. Small, so that a block works on a copy and the copy replaces the original only
 /// when the whole block proved right: an alarm leaves everything as it was.
 struct Registers {
@@ -43,7 +64,8 @@ struct Registers {
   AxisVector position;  ///< machine coordinates as programmed: before tool radius and length compensation
   double length_offset = 0.0;   ///< mm, added to Z by the tool length offset in force
   double length_applied = 0.0;  ///< mm, the part of it that Z has already moved by
-  AxisVector shift;             ///< of all workpiece coordinate systems (G92)
+  Placement placement;
+  AxisVector shift;  ///< of all workpiece coordinate systems (G92)
   Scaling scaling;
   AxisVector midpoint;    ///< of the reference-point return, machine coordinates
   AxisSet midpoint_axes;  ///< axes whose midpoint was ever given

@@ -42,10 +42,10 @@ Travel::Travel(const Machine& machine) {
   lower_.fill(-std::numeric_limits<double>::infinity());
   upper_.fill(std::numeric_limits<double>::infinity());
   for (const Axis axis : machine.axes) {
+    axes_ = index(axis) + 1;
+    type_[index(axis)] = machine[axis].type;
     lower_[index(axis)] = machine[axis].lower_limit;
     upper_[index(axis)] = machine[axis].upper_limit;
-    type_[index(axis)] = machine[axis].type;
-    axes_ = index(axis) + 1;
   }
   for (std::size_t i = 0; i < kAxisCount; ++i) {
     lowest_[i] = lower_[i] - kRounding;

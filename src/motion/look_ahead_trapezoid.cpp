@@ -100,7 +100,7 @@ void LookAheadTrapezoid::push_move(const Move& move, Entry& entry, PlanNode& nod
   entry.kind = EntryKind::move;
   node.gain = 2.0 * path.acceleration * path.length;
   node.cap = cap_squared(path);
-  if (!path.rapid && !from_rest_) {
+  if (!path.rapid && !from_rest_ && !move.from_rest) {
     node.junction = junction_speed_squared(last_tangent_, start_tangent(path),
                                            0.5 * (last_length_ + path.length), junction_deviation_, limits_);
   }

@@ -57,6 +57,8 @@ void set_line(PathSegment& segment, const Move& move, const AxisLimits& limits) 
   set_feed(segment, move, feed_length(move, step, segment.length_mm, segment.length));
   segment.speed_limit =
       limit_along(segment.slope, segment.rapid ? limits.inverse_rapid : limits.inverse_feed);
+  if (segment.rapid && move.feed > 0.0)
+    segment.speed_limit = std::min(segment.speed_limit, move.feed / segment.feed_per_speed);
   segment.acceleration = limit_along(segment.slope, limits.inverse_acceleration);
 }
 

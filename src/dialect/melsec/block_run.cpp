@@ -1,6 +1,7 @@
 #include "dialect/melsec/block_run.hpp"
 
 #include "dialect/melsec/alarms.hpp"
+#include "dialect/melsec/placement.hpp"
 #include "dialect/melsec/program_call.hpp"
 
 namespace kerf::melsec {
@@ -22,8 +23,7 @@ BlockRun::BlockRun(const Rules& rules, const Block& block, State& state, ActionQ
 bool BlockRun::run() {
   if (!words_.collect(block_, registers.modal[Group::distance], rules_.machine().axes, alarm)) return false;
   if (words_.axes().size() > static_cast<int>(kContouringAxes)) return refuse("0302H", block_.span);
-  if (!unfinished_codes() || !feed()) return false;
-  modal();
+  if (!combinations() || !unfinished_codes() || !feed() || !modal()) return false;
   for (const std::int32_t number : words_.auxiliaries()) queue_.push<Auxiliary>().code = number;
   return operation() && program_code();
 }
@@ -38,22 +38,11 @@ bool BlockRun::accept(const Word& word, const NumberResult& result, double& valu
   return refuse(result.fault == NumberFault::range ? "0308H" : "031AH", span(word));
 }
 
-/// Codes of the groups that are not carried out so far; their cancel codes are the state they start in.
-bool BlockRun::unfinished_codes() {
-  for (Group group : {Group::radius_compensation, Group::length_compensation, Group::normal_line,
-                      Group::rotation, Group::polar}) {
-    if (!words_.has(group)) continue;
-    const CodeNumber number = words_[group];
-    const bool cancels = number == code(40) || number == code(40, 1) || number == code(49) ||
-                         number == code(69) || number == code(13, 1);
-    if (!cancels) return refuse("unfinished-code", span(words_.word(group)));
-  }
-  return true;
-}
-
 bool BlockRun::feed() {
   if (const Word* rapid = words_.rapid_feed()) {
-    if (feed_of(*rapid).fault != NumberFault::none) return refuse("0312H", span(*rapid));
+    const NumberResult speed = feed_of(*rapid);
+    if (speed.fault != NumberFault::none) return refuse("0312H", span(*rapid));
+    rapid_feed_ = speed.value;
   }
   const Word* word = words_.find('F');
   if (word == nullptr) return true;
@@ -64,16 +53,11 @@ bool BlockRun::feed() {
   return true;
 }
 
-void BlockRun::modal() {
-  for (Group group : {Group::motion, Group::plane, Group::distance, Group::work_system, Group::path_mode}) {
-    if (words_.has(group)) registers.modal.set(group, words_[group]);
-  }
-}
-
 bool BlockRun::operation() {
   if (words_.has(kDwell)) return dwell();
   if (words_.has(kLocalSystem)) return local_system();
   if (words_.has(kMachineMove)) return machine_move();
+  if (words_[Group::rotation] == code(68)) return true;  // its words are the centre and the angle
   return motion();
 }
 
@@ -105,8 +89,18 @@ bool BlockRun::local_system() {
     if (!accept(*word.word, position_of(*word.word), value)) return false;
     local[axis] = word.incremental ? local[axis] + value : value;
   }
+  move_rotation(local - tables_.local_offsets[system]);
   local_written = written;
   return true;
+}
+
+/// The centre of rotation keeps its local coordinates when the local coordinate system moves.
+void BlockRun::move_rotation(const AxisVector& by) {
+  PlaneRotation& rotation = registers.placement.rotation;
+  if (!rotation.active) return;
+  rotation.center += {by[rotation.plane.first], by[rotation.plane.second]};
+  if (!rules_.settings().rotation_takes_start)
+    place_plane_at_machine(registers.placement, true, registers.position);
 }
 
 bool BlockRun::program_code() {
@@ -134,11 +128,11 @@ bool BlockRun::program_code() {
 
 void BlockRun::take_over() {
   if (!words_.collect(block_, registers.modal[Group::distance], rules_.machine().axes, alarm)) return;
-  modal();
   registers.feed_given = true;
+  if (!modal()) return;
   if (words_.has(kDwell) || words_.has(kLocalSystem) || words_.has(kMacroCall)) return;
   AxisVector target = registers.position;
-  if (targets(target)) registers.position = target;
+  if (targets(target)) arrive(target, words_.axes());
 }
 
 }  // namespace kerf::melsec

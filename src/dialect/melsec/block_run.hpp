@@ -32,25 +32,45 @@ class BlockRun {
 
  private:
   // block_run.cpp
-  bool unfinished_codes();
   bool feed();
-  void modal();
   bool operation();
   bool dwell();
   bool local_system();
+  void move_rotation(const AxisVector& by);
   bool program_code();
+  // modal_step.cpp
+  bool combinations();
+  bool unfinished_codes();
+  bool modal();
+  bool length_offset();
+  std::optional<Axis> offset_axis() const;
+  bool compensation_number(char address, std::int32_t& number);
+  bool rotation();
+  bool start_rotation();
+  bool rotation_center(Axis axis, double& center);
+  bool rotation_angle(double& angle);
+  const Word& last_code(CodeSet codes) const;
   // motion_step.cpp
   bool motion();
   bool machine_move();
+  void arrive_at_machine(const AxisVector& machine);
   bool straight(MoveMode mode, const AxisVector& target);
   bool arc();
+  bool plane_axes(Plane& plane);
   bool arc_axes(Plane& plane);
+  bool stands_on_arc(const Plane& plane);
   bool arc_center(const Plane& plane, Vec2 start, Vec2& center);
   bool arc_by_center(const Plane& plane, const AxisVector& target, bool clockwise, Arc& out);
   bool arc_by_radius(const Plane& plane, const AxisVector& target, bool clockwise, Arc& out, bool& nothing);
   bool targets(AxisVector& target);
-  bool cutting_feed();
-  bool push(MoveMode mode, const AxisVector& target, const Plane& plane = kPlaneXY, const Arc& arc = {});
+  double absolute_target(Axis axis, double from, double to) const;
+  bool absolute_first();
+  bool feed_given_for(MoveMode mode);
+  /// A move of the axes to `end` in machine coordinates.
+  bool push(MoveMode mode, const AxisVector& end, const AxisVector& commanded, const Plane& plane = kPlaneXY,
+            const Arc& arc = {});
+  /// The axes stand at a programmed position.
+  void arrive(const AxisVector& programmed, AxisSet named);
   char center_address(Axis axis) const;
 
   bool accept(const Word& word, const NumberResult& result, double& value);
@@ -64,6 +84,7 @@ class BlockRun {
   ActionQueue& queue_;
   FlowRequest& flow_;
   BlockWords words_;
+  double rapid_feed_ = 0.0;  ///< mm/min, of ,F; 0: not given
 };
 
 }  // namespace kerf::melsec

@@ -11,19 +11,6 @@ namespace {
 
 constexpr double kHighestAuxiliary = 99999999.0;
 
-/// Ten times the number of a G word; nothing when no code can have it.
-std::optional<CodeNumber> code_number(const Word& word) {
-  double tenfold = 0.0;
-  if (word.is_computed) {
-    tenfold = std::round(word.computed * 10.0);
-  } else {
-    if (word.number.overflow || word.number.decimals > 1) return std::nullopt;
-    tenfold = static_cast<double>(word.number.digits) * (word.number.decimals == 1 ? 1.0 : 10.0);
-  }
-  if (!(tenfold >= 0.0 && tenfold < 10000.0)) return std::nullopt;
-  return static_cast<CodeNumber>(tenfold);
-}
-
 std::uint8_t one_shot_of(CodeNumber number) {
   switch (number) {
     case code(4):
@@ -41,22 +28,47 @@ std::uint8_t one_shot_of(CodeNumber number) {
   }
 }
 
-/// Rows of the G codes by ten times their number, made once.
+/// Rows and sets of the G codes by ten times their number, made once.
 struct CodeIndex {
   std::array<const CodeRow*, 1000> rows{};
+  std::array<CodeSet, 1000> sets{};
   CodeIndex() {
     for (const CodeRow& row : code_table()) {
       if (row.letter == 'G') rows[row.number] = &row;
     }
+    for (const CodeNumber number : kGCodes) sets[number] = set_of(number);
   }
 };
 
-const CodeRow* find_g(CodeNumber number) {
+const CodeIndex& code_index() {
   static const CodeIndex kIndex;
-  return number < kIndex.rows.size() ? kIndex.rows[number] : nullptr;
+  return kIndex;
+}
+
+const CodeRow* find_g(CodeNumber number) {
+  const CodeIndex& index = code_index();
+  return number < index.rows.size() ? index.rows[number] : nullptr;
 }
 
 }  // namespace
+
+std::optional<CodeNumber> code_number(const Word& word) {
+  double tenfold = 0.0;
+  if (word.is_computed) {
+    tenfold = std::round(word.computed * 10.0);
+  } else {
+    if (word.number.overflow || word.number.decimals > 1) return std::nullopt;
+    tenfold = static_cast<double>(word.number.digits) * (word.number.decimals == 1 ? 1.0 : 10.0);
+  }
+  if (!(tenfold >= 0.0 && tenfold < 10000.0)) return std::nullopt;
+  return static_cast<CodeNumber>(tenfold);
+}
+
+CodeSet set_of_known(CodeNumber number) {
+  return number == kNoCode ? 0 : code_index().sets[number];
+}
+
+namespace {}  // namespace
 
 bool BlockWords::collect(const Block& block, CodeNumber distance, AxisSet machine_axes,
                          std::optional<Alarm>& alarm) {
@@ -65,6 +77,7 @@ bool BlockWords::collect(const Block& block, CodeNumber distance, AxisSet machin
   named_ = {};
   rapid_feed_ = nullptr;
   auxiliaries_.clear();
+  code_set_ = 0;
   one_shots_ = 0;
   program_code_ = ProgramCode::none;
   incremental_ = distance == code(91);
@@ -72,12 +85,12 @@ bool BlockWords::collect(const Block& block, CodeNumber distance, AxisSet machin
   for (std::size_t i = 0; i < block.words.size(); ++i) {
     const Word& word = block.words[i];
     bool good = true;
+    const bool argument = has(kMacroCall);
     if (word.address == 'G') {
       good = take_code(block, word, alarm);
-      if (good && has(kMacroCall)) {
-        first_argument_ = i + 1;
-        return true;
-      }
+      if (good && has(kMacroCall) && !argument) first_argument_ = i + 1;
+    } else if (argument) {
+      continue;
     } else if (word.address == 'M') {
       good = take_auxiliary(block, word, alarm);
     } else {
@@ -96,13 +109,13 @@ bool BlockWords::take_code(const Block& block, const Word& word, std::optional<A
     if (number && *number % 10 == 0) alarm->remedy = nearest_code(code_table(), 'G', *number / 10);
     return false;
   }
+  code_set_ |= set_of_known(*number);
   if (row->group == Group::one_shot) {
-    const std::uint8_t bit = one_shot_of(*number);
-    if (bit == 0) return refuse(alarm, "unfinished-code", span_of(block, word));
-    one_shots_ |= bit;
+    one_shots_ |= one_shot_of(*number);
     return true;
   }
   const auto group = static_cast<std::size_t>(row->group);
+  if (codes_[group] != kNoCode && codes_[group] != *number) code_set_ &= ~set_of_known(codes_[group]);
   codes_[group] = *number;
   code_at_[group] = &word;
   if (row->group == Group::distance) incremental_ = *number == code(91);

@@ -6,6 +6,7 @@
 
 #include "base/alarm.hpp"
 #include "base/axis.hpp"
+#include "dialect/melsec/codes.hpp"
 #include "execute/code_table.hpp"
 #include "syntax/block.hpp"
 
@@ -29,8 +30,14 @@ struct AxisWord {
   bool incremental = false;
 };
 
+/// Ten times the number of a G word; nothing when no code can have it.
+std::optional<CodeNumber> code_number(const Word& word);
+
+/// The set of a code of the code table, or of kNoCode; faster than set_of() while running.
+CodeSet set_of_known(CodeNumber number);
+
 /// Sorts a block. The last word of an address is valid, the last code of a group, the last four M codes; what
-/// stands behind G65 is an argument and nothing else.
+/// stands behind G65 is an argument, unless it is a G code.
 class BlockWords {
  public:
   static constexpr std::size_t kAuxiliaries = 4;
@@ -41,6 +48,8 @@ class BlockWords {
   CodeNumber operator[](Group group) const { return codes_[static_cast<std::size_t>(group)]; }
   bool has(Group group) const { return (*this)[group] != kNoCode; }
   bool has(OneShot code) const { return (one_shots_ & code) != 0; }
+  /// The codes that count: the last one of each group, and all one-shot codes.
+  CodeSet codes() const { return code_set_; }
   const Word* find(char address) const { return values_[static_cast<std::size_t>(address - 'A')]; }
   const Word* rapid_feed() const { return rapid_feed_; }
   const AxisWord& axis(Axis axis) const { return axes_[index(axis)]; }
@@ -64,6 +73,7 @@ class BlockWords {
   AxisSet named_;
   const Word* rapid_feed_ = nullptr;
   FixedVector<std::int32_t, kAuxiliaries> auxiliaries_;
+  CodeSet code_set_ = 0;
   std::uint8_t one_shots_ = 0;
   ProgramCode program_code_ = ProgramCode::none;
   std::size_t first_argument_ = 0;

@@ -114,4 +114,14 @@ std::shared_ptr<const CompiledProgram> compile(std::shared_ptr<const Source> sou
   return program;
 }
 
+bool is_subprogram(const std::shared_ptr<const Source>& source) {
+  const auto program = compile(source, 0);
+  const auto has = [&program](std::int64_t number) {
+    return std::any_of(program->words.begin(), program->words.end(), [number](const Word& word) {
+      return word.address == 'M' && word.expression < 0 && word.number.digits == number;
+    });
+  };
+  return has(99) && !has(2) && !has(30);
+}
+
 }  // namespace kerf::melsec

@@ -15,4 +15,7 @@ inline constexpr std::size_t kLargestProgram = std::size_t{512} * 1024;
 /// controller does not load such a file. `number` is the program number.
 std::shared_ptr<const CompiledProgram> compile(std::shared_ptr<const Source> source, std::int32_t number);
 
+/// The text returns with M99 and has neither M02 nor M30, so it is there to be called.
+bool is_subprogram(const std::shared_ptr<const Source>& source);
+
 }  // namespace kerf::melsec

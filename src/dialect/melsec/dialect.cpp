@@ -2,6 +2,7 @@
 
 #include "dialect/melsec/alarms.hpp"
 #include "dialect/melsec/codes.hpp"
+#include "dialect/melsec/compile.hpp"
 #include "dialect/melsec/configuration.hpp"
 #include "dialect/melsec/rules.hpp"
 #include "dialect/melsec/settings.hpp"
@@ -48,6 +49,7 @@ Dialect dialect() {
   d.shared_names = shared_names();
   d.complete = complete_limits;
   d.contradictions = contradictions;
+  d.is_subprogram = is_subprogram;
   d.rules = make_rules;
   d.feed_policy = feed_policy;
   d.toolpath_policy = toolpath_policy;

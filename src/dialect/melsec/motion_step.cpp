@@ -1,34 +1,66 @@
 // G00 to G03 and G53.
 
 #include <cmath>
+#include <utility>
 
 #include "dialect/melsec/alarms.hpp"
 #include "dialect/melsec/block_run.hpp"
+#include "dialect/melsec/placement.hpp"
 #include "execute/grid.hpp"
 #include "execute/moves.hpp"
 #include "geometry/arc_construction.hpp"
 
 namespace kerf::melsec {
+/// An absolute value of a rotation axis of type 0 leaves out whole turns, one of type 1 takes the shorter way
+/// (4.2, rotation axis type). Positions run on over the turns; only what is shown stays within one.
+double BlockRun::absolute_target(Axis axis, double from, double to) const {
+  const ControllerSettings& settings = rules_.settings();
+  if (!settings.endless.contains(axis)) return on_grid(to);
+  double way = std::fmod(on_grid(to - from), 360.0);
+  if (settings.shortest.contains(axis)) {
+    if (way > 180.0) way -= 360.0;
+    if (way <= -180.0) way += 360.0;
+  }
+  return on_grid(from + way);
+}
+
 bool BlockRun::targets(AxisVector& target) {
   const AxisVector origin = workpiece_origin(registers, tables_);
   for (const Axis axis : words_.axes()) {
     const AxisWord& word = words_.axis(axis);
     double value = 0.0;
     if (!accept(*word.word, position_of(*word.word), value)) return false;
-    target[axis] = on_grid((word.incremental ? registers.position[axis] : origin[axis]) + value);
+    target[axis] = word.incremental ? on_grid(registers.position[axis] + value)
+                                    : absolute_target(axis, registers.position[axis], origin[axis] + value);
   }
   return true;
 }
 
-bool BlockRun::cutting_feed() {
-  return registers.feed_given || refuse("0311H", block_.span);
+/// A move that is none needs no feed: the manual's examples go to where they stand before the first F.
+bool BlockRun::feed_given_for(MoveMode mode) {
+  return mode == MoveMode::rapid || registers.feed_given || refuse("0311H", block_.span);
 }
 
-bool BlockRun::push(MoveMode mode, const AxisVector& target, const Plane& plane, const Arc& arc) {
-  Move& move = push_straight(mode, target, registers, workpiece_origin(registers, tables_), queue_);
+/// The first move behind G68 and G69 must say where to go.
+bool BlockRun::absolute_first() {
+  if (!registers.placement.absolute_wanted) return true;
+  for (const Axis axis : words_.axes()) {
+    if (words_.axis(axis).incremental) return refuse("0327H", span(axis));
+  }
+  registers.placement.absolute_wanted = false;
+  return true;
+}
+
+bool BlockRun::push(MoveMode mode, const AxisVector& end, const AxisVector& commanded, const Plane& plane,
+                    const Arc& arc) {
+  Placement& placement = registers.placement;
+  Move& move = push_pathless(mode, mode == MoveMode::rapid ? rapid_feed_ : registers.feed, queue_);
+  move.start = placement.machine;
+  move.end = end;
+  move.commanded = commanded;
   move.plane = plane;
   move.arc = arc;
-  if (words_.has(kMachineMove)) move.commanded = move.end;  // written in machine coordinates
+  move.from_rest = std::exchange(placement.rest_wanted, false) || words_.has(kMachineMove);
   move.exact_stop = words_.has(kExactStop) || registers.modal[Group::path_mode] == code(61);
   const Travel& travel = rules_.travel();
   if (travel.contains(move) || !travel.contains(move.start)) return true;
@@ -37,9 +69,19 @@ bool BlockRun::push(MoveMode mode, const AxisVector& target, const Plane& plane,
                 travel.message_for(excess));
 }
 
+void BlockRun::arrive(const AxisVector& programmed, AxisSet named) {
+  Placement& placement = registers.placement;
+  const AxisSet moving = moving_axes(placement, named);
+  registers.position = programmed;
+  placement.machine = machine_position(placement, programmed, moving);
+  for (const Axis axis : moving) placement.length_taken[axis] = placement.length[axis];
+}
+
 bool BlockRun::motion() {
   const CodeNumber mode = registers.modal[Group::motion];
-  if (mode >= code(2)) {
+  // G49 moves straight even while an arc code is in force.
+  const bool cancels_length = words_[Group::length_compensation] == code(49);
+  if (mode >= code(2) && !cancels_length) {
     const bool arc_words = !words_.axes().empty() || words_.find('I') != nullptr ||
                            words_.find('J') != nullptr || words_.find('K') != nullptr ||
                            words_.find('R') != nullptr;
@@ -47,29 +89,55 @@ bool BlockRun::motion() {
   }
   if (words_.axes().empty()) return true;
   AxisVector target = registers.position;
-  if (!targets(target)) return false;
-  return straight(mode == code(0) ? MoveMode::rapid : MoveMode::linear, target);
+  return targets(target) && straight(mode == code(0) ? MoveMode::rapid : MoveMode::linear, target);
 }
 
 bool BlockRun::straight(MoveMode mode, const AxisVector& target) {
-  if (mode != MoveMode::rapid && !cutting_feed()) return false;
-  return target == registers.position || push(mode, target);
+  if (!absolute_first()) return false;
+  const Placement& placement = registers.placement;
+  const AxisVector end = machine_position(placement, target, moving_axes(placement, words_.axes()));
+  if (end != placement.machine) {
+    const AxisVector commanded = target - workpiece_origin(registers, tables_);
+    if (!feed_given_for(mode) || !push(mode, end, commanded)) return false;
+  }
+  arrive(target, words_.axes());
+  return true;
 }
 
+/// G53 leaves tool length and rotation out of account for its block.
 bool BlockRun::machine_move() {
-  AxisVector target = registers.position;
+  if (words_.axes().empty()) return true;
+  Placement& placement = registers.placement;
+  AxisVector end = placement.machine;
   for (const Axis axis : words_.axes()) {
     const AxisWord& word = words_.axis(axis);
     double value = 0.0;
     if (!accept(*word.word, position_of(*word.word), value)) return false;
     // In G91 the value is an increment like any other.
-    target[axis] = word.incremental ? on_grid(registers.position[axis] + value) : value;
+    end[axis] = word.incremental ? on_grid(end[axis] - placement.length_taken[axis] + value)
+                                 : absolute_target(axis, end[axis], value);
   }
-  const bool rapid = registers.modal[Group::motion] == code(0);
-  return words_.axes().empty() || straight(rapid ? MoveMode::rapid : MoveMode::linear, target);
+  if (!absolute_first()) return false;
+  const MoveMode mode = registers.modal[Group::motion] == code(0) ? MoveMode::rapid : MoveMode::linear;
+  if (end != placement.machine && !(feed_given_for(mode) && push(mode, end, end))) return false;
+  arrive_at_machine(end);
+  return true;
 }
 
-bool BlockRun::arc_axes(Plane& plane) {
+void BlockRun::arrive_at_machine(const AxisVector& machine) {
+  Placement& placement = registers.placement;
+  placement.machine = machine;
+  for (const Axis axis : words_.axes()) {
+    placement.length_taken[axis] = 0.0;
+    registers.position[axis] = machine[axis];
+  }
+  const PlaneRotation& rotation = placement.rotation;
+  if (!rotation.active) return;
+  if (!words_.axes().contains(rotation.plane.first) && !words_.axes().contains(rotation.plane.second)) return;
+  place_plane_at_machine(placement, !rules_.settings().rotation_takes_start, registers.position);
+}
+
+bool BlockRun::plane_axes(Plane& plane) {
   const auto& base = rules_.settings().base;
   const CodeNumber number = registers.modal[Group::plane];
   const std::size_t first = number == code(17) ? 0 : number == code(18) ? 2 : 1;
@@ -77,6 +145,11 @@ bool BlockRun::arc_axes(Plane& plane) {
   const auto b = base[(first + 1) % 3];
   if (!a || !b) return refuse("0317H", block_.span);
   plane = {*a, *b, base[(first + 2) % 3].value_or(Axis::Z)};
+  return true;
+}
+
+bool BlockRun::arc_axes(Plane& plane) {
+  if (!plane_axes(plane)) return false;
   for (const Axis axis : words_.axes()) {
     if (axis != plane.first && axis != plane.second) return refuse("030AH", span(axis));
   }
@@ -152,11 +225,26 @@ bool BlockRun::arc_by_radius(const Plane& plane, const AxisVector& target, bool 
   return true;
 }
 
+/// An arc begins where the program has the tool; behind G68 of type 1 or a change of its length it may not
+/// yet be there.
+bool BlockRun::stands_on_arc(const Plane& plane) {
+  constexpr double kSamePlace = 1e-6;
+  const Placement& placement = registers.placement;
+  const AxisVector there =
+      machine_position(placement, registers.position, AxisSet{plane.first, plane.second});
+  for (const Axis axis : {plane.first, plane.second}) {
+    if (std::abs(there[axis] - placement.machine[axis]) <= kSamePlace) continue;
+    return refuse("0313H", block_.span,
+                  "The tool does not stand where the arc begins: a straight move must come first.");
+  }
+  return true;
+}
+
 bool BlockRun::arc() {
   Plane plane;
-  if (!arc_axes(plane)) return false;
+  if (!arc_axes(plane) || !absolute_first()) return false;
   AxisVector target = registers.position;
-  if (!targets(target)) return false;
+  if (!targets(target) || !stands_on_arc(plane)) return false;
   const bool clockwise = registers.modal[Group::motion] == code(2);
   Arc geometry;
   bool nothing = false;
@@ -164,7 +252,14 @@ bool BlockRun::arc() {
                                                 : arc_by_center(plane, target, clockwise, geometry);
   if (!made || nothing) return made;
   const MoveMode mode = clockwise ? MoveMode::clockwise : MoveMode::counterclockwise;
-  return cutting_feed() && push(mode, target, plane, geometry);
+  if (!feed_given_for(mode)) return false;
+  Placement& placement = registers.placement;
+  const Vec2 center = turned_point(placement, plane, {geometry.center[0], geometry.center[1]});
+  geometry.center = {center.x + placement.length[plane.first], center.y + placement.length[plane.second]};
+  const AxisVector end = machine_position(placement, target, AxisSet{plane.first, plane.second});
+  if (!push(mode, end, target - workpiece_origin(registers, tables_), plane, geometry)) return false;
+  arrive(target, AxisSet{plane.first, plane.second});
+  return true;
 }
 
 }  // namespace kerf::melsec

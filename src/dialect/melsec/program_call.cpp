@@ -84,6 +84,7 @@ bool read_macro_call(const Block& block, std::size_t first, FlowRequest& request
     const Word& word = block.words[i];
     const bool grouped = word.address >= 'I' && word.address <= 'K';
     int variable = 0;
+    if (word.address == 'G') continue;
     if (word.address == 'P') {
       if (!read_integer(block, word, kHighestProgram, "031FH", request.program, alarm)) return false;
     } else if (word.address == 'L') {

@@ -1,5 +1,6 @@
 #include "dialect/melsec/rules.hpp"
 
+#include <cmath>
 #include <map>
 
 #include "dialect/melsec/alarms.hpp"
@@ -65,6 +66,11 @@ State Rules::initial_state() const {
   State state;
   for (const Axis axis : machine_.axes) state.registers.position[axis] = machine_[axis].start;
   state.tables.work_offsets = machine_.work_offsets;
+  state.tables.length.assign(static_cast<std::size_t>(kCompensations) + 1, 0.0);
+  for (const Tool& tool : machine_.tools) {
+    if (tool.number > 0 && tool.number <= kCompensations)
+      state.tables.length[static_cast<std::size_t>(tool.number)] = tool.length;
+  }
   state.variables = MacroVariables(settings_.variables);
   return state;
 }
@@ -82,11 +88,14 @@ void Rules::begin_program(State& state) const {
   r.modal.set(Group::normal_line, code(40, 1));
   r.modal.set(Group::rotation, code(69));
   r.modal.set(Group::polar, code(13, 1));
+  r.placement = {};
+  r.placement.machine = r.position;
+  r.length_number = -1;
   r.feed_given = false;
   r.feed = 0.0;
   r.program = r.sequence_number = -1;
   state.tables.local_offsets = {};
-  state.variables.set_level(0);
+  state.variables.restart();
 }
 
 BlockOutcome Rules::execute(const Block& block, State& state, ActionQueue& queue,
@@ -121,6 +130,20 @@ Alarm Rules::syntax_alarm(SyntaxFault, const SourceSpan& span) const {
 
 AxisVector Rules::work_origin(const State& state) const {
   return workpiece_origin(state.registers, state.tables);
+}
+
+AxisVector Rules::work_position(const State& state) const {
+  // In the coordinates before rotation (5.6 G68, program target position).
+  const Placement& placement = state.registers.placement;
+  return shown(placement.machine - placement.length_taken - work_origin(state));
+}
+
+AxisVector Rules::shown(AxisVector position) const {
+  for (const Axis axis : settings_.endless) {
+    position[axis] = std::fmod(position[axis], 360.0);
+    if (position[axis] < 0.0) position[axis] += 360.0;
+  }
+  return position;
 }
 
 AxisVector workpiece_origin(const Registers& registers, const Tables& tables) {

@@ -9,6 +9,9 @@
 
 namespace kerf::melsec {
 
+/// Tool compensation numbers, from 1; 0 cancels.
+inline constexpr std::int32_t kCompensations = 40;
+
 class Rules final : public BlockRules {
  public:
   Rules(const ControllerSettings& settings, const Machine& machine);
@@ -22,6 +25,8 @@ class Rules final : public BlockRules {
   void end_of_data(State& state, ActionQueue& queue) const override;
   Alarm syntax_alarm(SyntaxFault fault, const SourceSpan& span) const override;
   AxisVector work_origin(const State& state) const override;
+  AxisVector work_position(const State& state) const override;
+  AxisVector shown(AxisVector position) const override;
 
   const ControllerSettings& settings() const { return settings_; }
   const Machine& machine() const { return machine_; }

@@ -23,6 +23,14 @@ ControllerSettings controller_settings(const Settings& s) {
   c.variables.common =
       s.integer("melsec.system.common_system_points") + s.integer("melsec.system.common_all_points");
   c.variables.locals = !s.text("melsec.system.local_start_device").empty();
+  c.axis_tolerance = s.text("melsec.system.per_axis_tolerable_acceleration") == "each-axis";
+  c.rotation_takes_start = s.text("melsec.work.coordinate_rotation_type") == "type-1";
+  for (const Axis axis : s.axes()) {
+    if (s.text(expanded("axes.*.type", axis)) != "rotary") continue;
+    const std::string& type = s.text(expanded("melsec.axis.*.rotation_axis_type", axis));
+    if (type != "linear") c.endless.insert(axis);
+    if (type == "shortcut-valid") c.shortest.insert(axis);
+  }
   c.keep_arguments = s.boolean("melsec.keep_arguments");
   return c;
 }

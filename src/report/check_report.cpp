@@ -1,0 +1,146 @@
+#include "report/check_report.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "report/alarm_text.hpp"
+#include "report/text_escape.hpp"
+
+namespace kerf {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string count_or_dash(const CheckedProgram& program, std::uint64_t count) {
+  return program.outcome == CheckOutcome::executed ? fmt::format("{}", count) : "-";
+}
+
+std::string outcome_text(const CheckedProgram& program) {
+  switch (program.outcome) {
+    case CheckOutcome::executed:
+      return program.alarms > 0 ? "alarms" : program.warnings > 0 ? "warnings" : "good";
+    case CheckOutcome::called:
+      return "subprogram of " + program.caller;
+    case CheckOutcome::not_called:
+      return "subprogram, not called: not checked";
+    case CheckOutcome::unreadable:
+      return program.message;
+  }
+  return {};
+}
+
+std::string visible_text(std::string_view text) {
+  std::string result;
+  append_visible(result, text);
+  return result;
+}
+
+/// "O001.gcd:12:5: alarm 1FC3H 0313H: The radii differ. Correct I and J."
+std::string finding_line(const CheckFinding& finding) {
+  const Alarm& alarm = finding.alarm;
+  return fmt::format("{}:{}:{}: {} {}: {} {}", finding.file, alarm.span.line, alarm.span.column,
+                     severity_word(alarm.kind->severity), short_name(*alarm.kind), message_of(alarm),
+                     remedy_of(alarm));
+}
+
+Json location_of(const CheckFinding& finding) {
+  const SourceSpan& span = finding.alarm.span;
+  Json location;
+  location["physicalLocation"]["artifactLocation"]["uri"] = finding.file;
+  if (span.line > 0) {
+    location["physicalLocation"]["region"] = {{"startLine", span.line},
+                                              {"startColumn", span.column},
+                                              {"endColumn", span.column + std::max(span.length, 1U)}};
+  }
+  return location;
+}
+
+Json rule_of(const AlarmKind& kind) {
+  return {{"id", short_name(kind)},
+          {"shortDescription", {{"text", kind.name}}},
+          {"fullDescription", {{"text", kind.cause}}},
+          {"help", {{"text", kind.remedy}}}};
+}
+
+}  // namespace
+
+std::string check_table(std::span<const CheckedProgram> programs) {
+  std::size_t width = std::string_view("program").size();
+  for (const CheckedProgram& program : programs) {
+    width = std::max(width, static_cast<std::size_t>(visible_width(program.file)));
+  }
+  std::string out =
+      fmt::format("{:<{}}  {:>8} {:>8} {:>10}  result\n", "program", width, "alarms", "warnings", "blocks");
+  std::uint64_t faulty = 0;
+  for (const CheckedProgram& program : programs) {
+    const std::string name = visible_text(program.file);
+    const auto padding = width - static_cast<std::size_t>(visible_width(program.file));
+    out += fmt::format("{}{:{}}  {:>8} {:>8} {:>10}  {}\n", name, "", padding,
+                       count_or_dash(program, program.alarms), count_or_dash(program, program.warnings),
+                       count_or_dash(program, program.blocks), visible_text(outcome_text(program)));
+    faulty += program.alarms > 0 || program.outcome == CheckOutcome::unreadable ? 1 : 0;
+  }
+  out +=
+      fmt::format("{} {}, {} with alarms\n", programs.size(), programs.size() == 1 ? "program" : "programs",
+                  faulty == 0 ? "none" : fmt::format("{}", faulty));
+  return out;
+}
+
+std::string junit_text(std::span<const CheckedProgram> programs) {
+  const auto count = [&](auto matches) { return std::count_if(programs.begin(), programs.end(), matches); };
+  const auto failures = count([](const CheckedProgram& p) { return p.alarms > 0; });
+  const auto errors = count([](const CheckedProgram& p) { return p.outcome == CheckOutcome::unreadable; });
+  const auto skipped = count([](const CheckedProgram& p) {
+    return p.outcome == CheckOutcome::called || p.outcome == CheckOutcome::not_called;
+  });
+  std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+  out += fmt::format(
+      "<testsuites>\n<testsuite name=\"kerf check\" tests=\"{}\" failures=\"{}\" errors=\"{}\" "
+      "skipped=\"{}\">\n",
+      programs.size(), failures, errors, skipped);
+  for (const CheckedProgram& program : programs) {
+    out += fmt::format("<testcase classname=\"kerf\" name=\"{}\">\n", xml_text(program.file));
+    if (program.outcome == CheckOutcome::unreadable) {
+      out += fmt::format("<error message=\"{}\"/>\n", xml_text(program.message));
+    } else if (program.outcome != CheckOutcome::executed) {
+      out += fmt::format("<skipped message=\"{}\"/>\n", xml_text(outcome_text(program)));
+    }
+    for (const CheckFinding& finding : program.findings) {
+      if (!stops_program(finding.alarm)) continue;
+      out += fmt::format("<failure type=\"{}\" message=\"{}\">{}</failure>\n",
+                         xml_text(short_name(*finding.alarm.kind)), xml_text(message_of(finding.alarm)),
+                         xml_text(finding_line(finding)));
+    }
+    out += "</testcase>\n";
+  }
+  return out + "</testsuite>\n</testsuites>\n";
+}
+
+std::string sarif_text(std::span<const CheckedProgram> programs, std::string_view version) {
+  Json rules = Json::array();
+  Json results = Json::array();
+  std::set<const AlarmKind*> known;
+  for (const CheckedProgram& program : programs) {
+    for (const CheckFinding& finding : program.findings) {
+      const AlarmKind& kind = *finding.alarm.kind;
+      if (known.insert(&kind).second) rules.push_back(rule_of(kind));
+      results.push_back(
+          {{"ruleId", short_name(kind)},
+           {"level", stops_program(finding.alarm) ? "error" : "warning"},
+           {"message", {{"text", fmt::format("{} {}", message_of(finding.alarm), remedy_of(finding.alarm))}}},
+           {"locations", Json::array({location_of(finding)})}});
+    }
+  }
+  Json run;
+  run["tool"]["driver"] = {{"name", "kerf"}, {"version", version}, {"rules", std::move(rules)}};
+  run["results"] = std::move(results);
+  Json log;
+  log["$schema"] = "https://json.schemastore.org/sarif-2.1.0.json";
+  log["version"] = "2.1.0";
+  log["runs"] = Json::array({std::move(run)});
+  return log.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace kerf

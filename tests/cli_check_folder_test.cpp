@@ -1,0 +1,144 @@
+// kerf check on a folder of programs: the table, JUnit and SARIF.
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace kerf {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Outcome {
+  int status = -1;
+  std::string out;
+  std::string err;
+};
+
+std::string contents(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+class CheckFolder : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "kerf-check-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+    fs::create_directory(folder_ / "store");
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  void program(const std::string& name, const std::string& blocks) {
+    std::ofstream(folder_ / "store" / name, std::ios::binary) << "%\n" << blocks << "%\n";
+  }
+
+  /// Runs kerf inside the folder.
+  Outcome kerf(const std::string& arguments) {
+    const std::string command =
+        "cd " + folder_.string() + " && " + KERF_BINARY + " " + arguments + " >out 2>err";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128, contents(folder_ / "out"),
+            contents(folder_ / "err")};
+  }
+
+  fs::path folder_;
+};
+
+constexpr const char* kGood = "G90G00X10.\nM98P10\nM02\n";
+constexpr const char* kSubprogram = "G01X20.F500.\nM99\n";
+
+TEST_F(CheckFolder, GivesATableWithSubprogramsLeftToTheirCallers) {
+  program("O001.gcd", kGood);
+  program("O002.gcd", "G90G00X10.\nG02X20.R1.F100.\nG00X99999999.\nM02\n");
+  program("O010.gcd", kSubprogram);
+  program("O020.gcd", "G01X#1\nM99\n");
+  const Outcome outcome = kerf("check store");
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  const std::size_t table = outcome.out.find("program ");
+  ASSERT_NE(table, std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.substr(table),
+            "program           alarms warnings     blocks  result\n"
+            "store/O001.gcd         0        0          5  good\n"
+            "store/O002.gcd         2        0          4  alarms\n"
+            "store/O010.gcd         -        -          -  subprogram of store/O001.gcd\n"
+            "store/O020.gcd         -        -          -  subprogram, not called: not checked\n"
+            "4 programs, 1 with alarms\n");
+  EXPECT_NE(outcome.out.find("store/O002.gcd:3:"), std::string::npos);
+  EXPECT_NE(outcome.out.find("0313H"), std::string::npos);
+}
+
+TEST_F(CheckFolder, TheOrderIsThatOfTheNamesHoweverManyThreads) {
+  for (int i = 1; i <= 60; ++i) {
+    std::string name = std::to_string(i);
+    name.insert(0, 3 - name.size(), '0');
+    program("O" + name + ".gcd", "G90G00X10.\nG05\nM02\n");
+  }
+  const Outcome first = kerf("check store");
+  EXPECT_EQ(first.status, 1);
+  EXPECT_LT(first.out.find("store/O001.gcd:3:1"), first.out.find("store/O002.gcd:3:1"));
+  EXPECT_LT(first.out.find("store/O059.gcd:3:1"), first.out.find("store/O060.gcd:3:1"));
+  EXPECT_EQ(kerf("check store").out, first.out);
+}
+
+TEST_F(CheckFolder, AnAlarmInASubprogramNamesItsOwnFile) {
+  program("O001.gcd", kGood);
+  program("O010.gcd", "G01X20.F500.\nG01Y5.5.\nM99\n");
+  const Outcome outcome = kerf("check store --sarif check.sarif");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.out.find("store/O010.gcd:3:"), std::string::npos) << outcome.out;
+  const auto log = nlohmann::json::parse(contents(folder_ / "check.sarif"));
+  const auto& place = log["runs"][0]["results"][0]["locations"][0]["physicalLocation"];
+  EXPECT_EQ(place["artifactLocation"]["uri"], "store/O010.gcd");
+  EXPECT_EQ(place["region"]["startLine"], 3);
+}
+
+TEST_F(CheckFolder, WritesJUnitAndSarif) {
+  program("O001.gcd", kGood);
+  program("O002.gcd", "G90G05\nM02\n");
+  program("O010.gcd", kSubprogram);
+  const Outcome outcome = kerf("check store --junit check.xml --sarif check.sarif");
+  EXPECT_EQ(outcome.status, 1);
+  const std::string xml = contents(folder_ / "check.xml");
+  EXPECT_NE(xml.find("<testsuite name=\"kerf check\" tests=\"3\" failures=\"1\" errors=\"0\" skipped=\"1\">"),
+            std::string::npos)
+      << xml;
+  EXPECT_NE(xml.find("<failure type=\"1FC3H 0307H\""), std::string::npos) << xml;
+  const auto log = nlohmann::json::parse(contents(folder_ / "check.sarif"));
+  EXPECT_EQ(log["version"], "2.1.0");
+  const auto& run = log["runs"][0];
+  EXPECT_EQ(run["tool"]["driver"]["name"], "kerf");
+  ASSERT_EQ(run["results"].size(), 1U);
+  EXPECT_EQ(run["results"][0]["ruleId"], "1FC3H 0307H");
+  EXPECT_EQ(run["results"][0]["level"], "error");
+  EXPECT_EQ(run["tool"]["driver"]["rules"][0]["id"], "1FC3H 0307H");
+}
+
+TEST_F(CheckFolder, AProgramThatReturnsToItselfIsCheckedOnce) {
+  program("O001.gcd", kSubprogram);
+  const Outcome outcome = kerf("check store/O001.gcd");
+  EXPECT_EQ(outcome.status, 0) << outcome.out;
+  EXPECT_NE(outcome.out.find("2 blocks executed"), std::string::npos) << outcome.out;
+}
+
+TEST_F(CheckFolder, RefusesAFolderWithoutProgramsAndOutputsOverInputs) {
+  const Outcome empty = kerf("check store");
+  EXPECT_EQ(empty.status, 2);
+  EXPECT_NE(empty.err.find("no NC program"), std::string::npos) << empty.err;
+  program("O001.gcd", kGood);
+  EXPECT_EQ(kerf("check store --junit store/O001.gcd").status, 2);
+  EXPECT_EQ(contents(folder_ / "store" / "O001.gcd"), "%\n" + std::string(kGood) + "%\n");
+  EXPECT_EQ(kerf("check store --junit same --sarif same").status, 2);
+  EXPECT_EQ(kerf("check store --junit missing/check.xml").status, 2);
+}
+
+}  // namespace
+}  // namespace kerf
