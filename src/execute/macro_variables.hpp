@@ -45,10 +45,10 @@ class MacroVariables {
   /// Depth of macro calls, 0 in the main program.
   std::size_t level() const { return level_; }
   void set_level(std::size_t level) { level_ = level; }
-  /// What a start of the main program does: its local variables are 0, those of macro calls will be.
+  /// What a start of the main program does: all local variables are 0.
   void restart() {
     level_ = 0;
-    locals_[0].fill(0.0);
+    locals_ = {};
   }
   Locals& locals_of(std::size_t level) { return locals_[level]; }
 

@@ -23,7 +23,7 @@ BlockRun::BlockRun(const Rules& rules, const Block& block, State& state, ActionQ
 bool BlockRun::run() {
   if (!words_.collect(block_, registers.modal[Group::distance], rules_.machine().axes, alarm)) return false;
   if (words_.axes().size() > static_cast<int>(kContouringAxes)) return refuse("0302H", block_.span);
-  if (!combinations() || !unfinished_codes() || !feed() || !modal()) return false;
+  if (!combinations() || !compensation_numbers() || !unfinished_codes() || !feed() || !modal()) return false;
   for (const std::int32_t number : words_.auxiliaries()) queue_.push<Auxiliary>().code = number;
   return operation() && program_code();
 }

@@ -42,6 +42,7 @@ class BlockRun {
   bool combinations();
   bool unfinished_codes();
   bool modal();
+  bool compensation_numbers();
   bool length_offset();
   std::optional<Axis> offset_axis() const;
   bool compensation_number(char address, std::int32_t& number);

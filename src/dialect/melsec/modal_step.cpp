@@ -65,6 +65,13 @@ bool BlockRun::modal() {
   return length_offset() && rotation();
 }
 
+/// D and H, which must name a compensation even where they have no effect; beside M98 H is a sequence number.
+bool BlockRun::compensation_numbers() {
+  std::int32_t ignored = 0;
+  const bool call = words_.program_code() == ProgramCode::call;
+  return compensation_number('D', ignored) && (call || compensation_number('H', ignored));
+}
+
 bool BlockRun::length_offset() {
   if (!words_.has(Group::length_compensation)) return true;
   const CodeNumber number = words_[Group::length_compensation];

@@ -11,6 +11,19 @@
 #include "geometry/arc_construction.hpp"
 
 namespace kerf::melsec {
+namespace {
+
+constexpr double kLongestWay = 214748.3648;  // mm: 2^31 increments
+
+double length_of(const Move& move) {
+  if (is_arc(move.mode)) return move.arc.radius * std::abs(radians(move.arc.sweep));
+  double sum = 0.0;
+  for (const double way : (move.end - move.start).values) sum += way * way;
+  return std::sqrt(sum);
+}
+
+}  // namespace
+
 /// An absolute value of a rotation axis of type 0 leaves out whole turns, one of type 1 takes the shorter way
 /// (4.2, rotation axis type). Positions run on over the turns; only what is shown stays within one.
 double BlockRun::absolute_target(Axis axis, double from, double to) const {
@@ -62,6 +75,10 @@ bool BlockRun::push(MoveMode mode, const AxisVector& end, const AxisVector& comm
   move.arc = arc;
   move.from_rest = std::exchange(placement.rest_wanted, false) || words_.has(kMachineMove);
   move.exact_stop = words_.has(kExactStop) || registers.modal[Group::path_mode] == code(61);
+  if (length_of(move) > kLongestWay) {
+    return refuse("0310H", block_.span,
+                  FixedText<200>::format("The path of the block is {:.4f} mm long.", length_of(move)));
+  }
   const Travel& travel = rules_.travel();
   if (travel.contains(move) || !travel.contains(move.start)) return true;
   const Excess excess = travel.excess_of(move).value_or(Excess{});
@@ -150,6 +167,12 @@ bool BlockRun::plane_axes(Plane& plane) {
 
 bool BlockRun::arc_axes(Plane& plane) {
   if (!plane_axes(plane)) return false;
+  const Machine& machine = rules_.machine();
+  if (machine[plane.first].type != machine[plane.second].type) {
+    return refuse("030EH", block_.span,
+                  FixedText<200>::format("{} is in mm and {} in degrees, or the other way round.",
+                                         letter(plane.first), letter(plane.second)));
+  }
   for (const Axis axis : words_.axes()) {
     if (axis != plane.first && axis != plane.second) return refuse("030AH", span(axis));
   }
