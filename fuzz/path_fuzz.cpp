@@ -77,9 +77,10 @@ std::vector<Controller> dgshape_controllers() {
 std::vector<Controller> melsec_controllers() {
   std::vector<Controller> made;
   made.push_back(
-      controller({"melsec.system.common_system_points=400", "melsec.system.local_start_device=D7000",
-                  "melsec.system.initial_absolute_mode=G90"}));
-  made.push_back(controller({"melsec.system.common_all_points=3", "melsec.system.base_axis_k=none",
+      controller({"melsec.system.common_system_points=400", "melsec.system.common_system_start_device=D2000",
+                  "melsec.system.local_start_device=D7000", "melsec.system.initial_absolute_mode=G90"}));
+  made.push_back(controller({"melsec.system.common_all_points=3",
+                             "melsec.system.common_all_start_device=D6000", "melsec.system.base_axis_k=none",
                              "melsec.keep_arguments=true", "axes.X.limits=[-50,200]", "offsets.G54.X=10"}));
   return made;
 }

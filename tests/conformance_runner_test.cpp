@@ -336,6 +336,17 @@ TEST(ConformanceRun, RefusedSettingsAreAnEvent) {
   const std::string text = "=== A\nids: A\nset: dgshape.decimal_point=maybe\n--- body\nG00\n--- expect\n";
   EXPECT_EQ(outcome(text + "refused dgshape.decimal_point\n"), "");
   EXPECT_NE(outcome(text + "end\n"), "");
+  const std::string two =
+      "=== A\nids: A\nset: axes.X.limits=[1,0]\nset: axes.Y.limits=[1,0]\n--- body\nG00\n";
+  EXPECT_EQ(outcome(two + "--- expect\nrefused axes.X.limits\nrefused axes.Y.limits\n"), "");
+  EXPECT_NE(outcome(two + "--- expect\nrefused axes.X.limits\n"), "");
+}
+
+TEST(ConformanceRun, ARefusalIsNamedByTheAlarmOfTheController) {
+  const std::string text = "=== A\nids: A\nset: axes.X.limits=[1,0]\n--- body\nG00\n--- expect\n";
+  const CaseFile file = parse_cases("x.case", text + "refused 0024H\n");
+  ASSERT_EQ(file.cases.size(), 1U);
+  EXPECT_EQ(run_case(file.cases.at(0), "melsec"), "");
 }
 
 TEST(ConformanceRun, OverridesChangeDuringTheRun) {

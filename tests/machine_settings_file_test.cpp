@@ -224,6 +224,9 @@ TEST(MachineFile, RelationsBetweenKeys) {
       Errors{"m.toml:2:10: 'axes.X.limits' = [10.0, -10.0]: the low value is not below the high value; write "
              "[low, high]"});
   EXPECT_EQ(errors_of("[axes.X]\nlimits = [10, 10]\n").size(), 1U);
+  // A rotary axis with equal limits turns without end, so it may start anywhere.
+  EXPECT_EQ(errors_of("[axes.C]\ntype = \"rotary\"\nlimits = [0, 0]\nstart = 90\n"), Errors{});
+  EXPECT_EQ(errors_of("[axes.C]\ntype = \"rotary\"\nlimits = [1, 0]\n").size(), 1U);
   EXPECT_EQ(errors_of("[axes.X]\nlimits = [0, 10]\nstart = 10.5\n"),
             Errors{"m.toml:3:9: 'axes.X.start' = 10.5 lies outside 'axes.X.limits' = [0.0, 10.0]; give "
                    "'axes.X.start' a value within the limits"});

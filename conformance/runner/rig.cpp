@@ -13,6 +13,10 @@ constexpr double kIdealJerk = 1e15;         // mm/s3
 Entry refusal(const SettingsError& error) {
   Entry event;
   event.name = "refused";
+  if (!error.alarm.empty()) {
+    event.words.push_back(error.alarm);
+    return event;
+  }
   constexpr std::string_view kOption = "--set ";
   if (error.file.compare(0, kOption.size(), kOption) == 0) {
     const std::string assignment = error.file.substr(kOption.size());
@@ -44,14 +48,18 @@ class Watched {
 
 }  // namespace
 
-tl::expected<Rig, Entry> Rig::make(const Case& test, const std::string& dialect) {
+tl::expected<Rig, std::vector<Entry>> Rig::make(const Case& test, const std::string& dialect) {
   SetupOptions options;
   options.dialect = dialect;
   options.assignments = test.settings;
   options.optional_stop = test.optional_stop;
   options.block_skip = test.block_skip;
   auto controller = make_controller(options);
-  if (!controller) return tl::unexpected(refusal(controller.error().front()));
+  if (!controller) {
+    std::vector<Entry> events;
+    for (const SettingsError& error : controller.error()) events.push_back(refusal(error));
+    return tl::unexpected(std::move(events));
+  }
   if (test.ideal) {
     for (const Axis axis : controller->machine.axes) {
       AxisSettings& settings = controller->machine.axis[index(axis)];

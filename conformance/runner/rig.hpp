@@ -28,8 +28,8 @@ struct ProgramRun {
 /// Programs of a case follow each other on one controller: offsets, shifts, tool and positions carry over.
 class Rig {
  public:
-  /// The error is the event `refused KEY`.
-  static tl::expected<Rig, Entry> make(const Case& test, const std::string& dialect);
+  /// The error is the events `refused KEY` or `refused 0016H`, one for each complaint.
+  static tl::expected<Rig, std::vector<Entry>> make(const Case& test, const std::string& dialect);
 
   /// Runs the next program to its end or to its first alarm; with the case's `recover` to its end.
   /// `text` is its text with the line ends the case asks for; `program` holds those it may call.

@@ -34,7 +34,7 @@ std::string run_case(const Case& test, const std::string& dialect) {
   auto rig = Rig::make(test, dialect);
   if (!rig) {
     const ProgramSection& section = test.programs.front();
-    const std::string events = event_difference(section.expected, {rig.error()}, test.tolerance);
+    const std::string events = event_difference(section.expected, rig.error(), test.tolerance);
     return events.empty() ? std::string() : heading(test, section, "machine settings") + events;
   }
   std::string text;

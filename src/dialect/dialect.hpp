@@ -29,10 +29,13 @@ struct Dialect {
   std::string_view optional_stop_key;  ///< machine-file key that `--optional-stop` switches on; empty: none
   std::string_view block_skip_key;     ///< machine-file key that `--block-skip` switches on; empty: none
 
+  std::span<const KeyAlarm> key_alarms;      ///< its alarms for bad values of single keys
+  std::span<const SharedName> shared_names;  ///< its manual's names of shared keys
+
+  /// Sets the defaults that follow from other settings, once these are all known; null: there are none.
+  void (*complete)(Settings&) = nullptr;
   /// Whether a program is meant to be called by others and not to run by itself; null: none is.
   bool (*is_subprogram)(const std::shared_ptr<const Source>&) = nullptr;
-  /// What the dialect's own settings add to the machine; null: nothing.
-  void (*complete_machine)(const Settings&, Machine&) = nullptr;
   /// Settings of its own that do not go together; null: all do.
   std::vector<SettingsError> (*contradictions)(const Settings&) = nullptr;
   std::shared_ptr<const BlockRules> (*rules)(const Settings&, const Machine&) = nullptr;

@@ -53,7 +53,8 @@ const Dialect& detect_dialect(std::string_view file_name) {
 }
 
 Schema schema_of(const Dialect& dialect) {
-  return {common_parameters(), dialect.parameters, dialect.defaults, sections_beside(dialect.name)};
+  return {common_parameters(),           dialect.parameters, dialect.defaults,
+          sections_beside(dialect.name), dialect.key_alarms, dialect.shared_names};
 }
 
 }  // namespace kerf

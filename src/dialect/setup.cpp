@@ -59,11 +59,12 @@ tl::expected<Controller, std::vector<SettingsError>> make_controller(const Setup
     if (auto set = apply_assignment(settings, assignment); !set) errors.push_back(std::move(set.error()));
   }
   if (!errors.empty()) return tl::unexpected(std::move(errors));
+  if (chosen.complete != nullptr) chosen.complete(settings);
   auto machine = build_machine(settings);
-  if (!machine) return tl::unexpected(std::move(machine.error()));
-  if (chosen.complete_machine != nullptr) chosen.complete_machine(settings, *machine);
-
-  if (chosen.contradictions != nullptr) errors = chosen.contradictions(settings);
+  if (!machine) errors = std::move(machine.error());
+  if (chosen.contradictions != nullptr) {
+    for (SettingsError& error : chosen.contradictions(settings)) errors.push_back(std::move(error));
+  }
   if (!errors.empty()) return tl::unexpected(std::move(errors));
   auto rules = (*dialect)->rules(settings, *machine);
   const FeedPolicy feed = (*dialect)->feed_policy(settings);

@@ -44,7 +44,6 @@ Travel::Travel(const Machine& machine) {
   for (const Axis axis : machine.axes) {
     axes_ = index(axis) + 1;
     type_[index(axis)] = machine[axis].type;
-    if (machine[axis].endless) continue;
     lower_[index(axis)] = machine[axis].lower_limit;
     upper_[index(axis)] = machine[axis].upper_limit;
   }

@@ -1,6 +1,7 @@
 #include "machine/build_machine.hpp"
 
 #include <array>
+#include <limits>
 #include <string_view>
 
 #include "machine/contradictions.hpp"
@@ -10,7 +11,9 @@ namespace {
 
 AxisSettings axis_settings(const Settings& settings, Axis axis) {
   const auto number = [&](std::string_view key) { return settings.number(expanded(key, axis)); };
-  const std::array<double, 2> limits = settings.pair(expanded("axes.*.limits", axis));
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  std::array<double, 2> limits = settings.pair(expanded("axes.*.limits", axis));
+  if (limits[0] == limits[1]) limits = {-kInfinity, kInfinity};  // the axis turns without end
   const bool rotary = settings.text(expanded("axes.*.type", axis)) == "rotary";
   return {
       .number = static_cast<std::int32_t>(settings.integer(expanded("axes.*.number", axis))),

@@ -69,7 +69,7 @@ constexpr std::array kParameters{
               .unit = "mm",
               .minimum = -kFar,
               .maximum = kFar,
-              .help = "Software stroke limits, machine coordinates."},
+              .help = "Software stroke limits, machine coordinates; a rotary axis with equal ones has none."},
     above_zero("axes.*.rapid", "6000.0", "mm/min", kFast, "Rapid traverse speed."),
     above_zero("axes.*.max_feed", "6000.0", "mm/min", kFast, "Highest speed of the axis while cutting."),
     above_zero("axes.*.acceleration", "500.0", "mm/s2", kFast,

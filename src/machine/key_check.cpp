@@ -20,6 +20,21 @@ std::string axis_letters(AxisSet axes) {
 
 constexpr AxisSet kAllAxes{Axis::X, Axis::Y, Axis::Z, Axis::A, Axis::B, Axis::C, Axis::U, Axis::V, Axis::W};
 
+/// What to write for a name of the manual that stands for a shared key.
+std::optional<std::string> shared_key(const Schema& schema, const KeyPath& path) {
+  for (const SharedName& name : schema.shared_names) {
+    const KeyPath pattern = split_key(name.key);
+    std::string instance;
+    bool same = pattern.size() == path.size();
+    for (std::size_t i = 0; same && i < path.size(); ++i) {
+      if (pattern[i] == "*") instance = path[i];
+      same = pattern[i] == "*" || pattern[i] == path[i];
+    }
+    if (same) return expanded(name.remedy, instance);
+  }
+  return std::nullopt;
+}
+
 std::string suggestion(const Settings& settings, const KeyPath& path, std::size_t fault) {
   if (const auto nearest = nearest_key(settings.schema(), settings.axes(), path, fault)) {
     return fmt::format("did you mean '{}'?", *nearest);
@@ -55,6 +70,9 @@ Complaint unknown_key(const Settings& settings, const KeyPath& path, std::size_t
   const auto& foreign = settings.schema().foreign_sections;
   if (std::find(foreign.begin(), foreign.end(), path[0]) != foreign.end()) {
     return {fmt::format("'{}' is a setting of another dialect", joined(path)), "leave it out"};
+  }
+  if (auto remedy = shared_key(settings.schema(), path)) {
+    return {fmt::format("'{}' is a setting that every dialect has", joined(path)), *std::move(remedy)};
   }
   return {fmt::format("unknown key '{}'", joined(path)), suggestion(settings, path, fault)};
 }

@@ -16,8 +16,7 @@ enum class AxisType : std::uint8_t { linear, rotary };
 struct AxisSettings {
   std::int32_t number = 0;  ///< servo axis number
   AxisType type = AxisType::linear;
-  bool endless = false;             ///< a rotary axis without limits, whose position is shown within one turn
-  double lower_limit = -9999.9999;  ///< machine coordinate
+  double lower_limit = -9999.9999;  ///< machine coordinate; infinite: none
   double upper_limit = 9999.9999;
   double rapid = 6000.0;        ///< mm/min or degree/min
   double max_feed = 6000.0;     ///< mm/min or degree/min

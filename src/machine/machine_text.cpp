@@ -124,7 +124,12 @@ class InitWriter {
 
   void add_keys(const ParameterTable& table, std::string_view instance, bool commented) {
     const std::size_t width = longest_name(table);
+    std::string_view group;
     for (const Parameter* parameter : table.parameters) {
+      if (commented && parameter->group != group) {
+        out_ += fmt::format("{}# --- {} ---\n", group.empty() ? "" : "\n", parameter->group);
+        group = parameter->group;
+      }
       const bool by_axis = parameter->key.ends_with(".*");
       const std::string value =
           by_axis ? offsets(*parameter) : value_text(expanded(parameter->key, instance));
@@ -206,6 +211,7 @@ std::pair<std::string, std::string> shown_place(const Setting& setting) {
 }
 
 struct ShownLine {
+  std::string_view group;
   std::string name;
   std::string value;
   std::string comment;
@@ -220,7 +226,10 @@ void add_shown_table(std::string& out, std::string_view header, const std::vecto
   }
   if (!out.empty()) out += '\n';
   if (!header.empty()) out += fmt::format("[{}]\n", header);
+  std::string_view group;
   for (const ShownLine& line : lines) {
+    if (line.group != group) out += fmt::format("{}# {}\n", group.empty() ? "" : "\n", line.group);
+    group = line.group;
     out +=
         fmt::format("{:<{}} = {:<{}}  # {}\n", line.name, name_width, line.value, value_width, line.comment);
   }
@@ -244,7 +253,7 @@ std::string show_text(const Settings& settings) {
     }
     header = table;
     const std::string unit = unit_of(settings, *setting);
-    lines.push_back({name, toml_text(setting->value),
+    lines.push_back({setting->parameter->group, name, toml_text(setting->value),
                      fmt::format("{}{}{}", unit, unit.empty() ? "" : ", ", origin_text(setting->origin))});
   }
   if (!lines.empty()) add_shown_table(out, header, lines);

@@ -14,7 +14,7 @@ enum class ValueType : std::uint8_t {
   number,
   word,  ///< one of `choices`
   text,
-  number_pair,  ///< [low, high], low < high
+  number_pair,  ///< [low, high]
 };
 
 /// One key of the machine file.
@@ -37,6 +37,8 @@ struct Parameter {
   std::string_view help = {};
   /// The minimum itself is refused: "above 0".
   bool above_minimum = false;
+  /// The heading of the controller's manual it stands under, shown above it; empty: none.
+  std::string_view group = {};
 };
 
 /// A dialect's other default for a key that every dialect shares. The axes and tools named by these keys are

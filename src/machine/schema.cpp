@@ -161,6 +161,12 @@ std::string_view default_text(const Schema& schema, const Parameter& parameter, 
   return found != shared.end() ? found->value : parameter.default_value;
 }
 
+const AlarmKind* alarm_of(const Schema& schema, const Parameter& parameter) {
+  const auto found = std::find_if(schema.alarms.begin(), schema.alarms.end(),
+                                  [&](const KeyAlarm& item) { return item.key == parameter.key; });
+  return found == schema.alarms.end() ? nullptr : found->kind;
+}
+
 std::vector<std::string> schema_faults(const Schema& schema) {
   std::vector<std::string> faults;
   std::set<std::string_view> keys;

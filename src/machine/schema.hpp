@@ -8,10 +8,23 @@
 #include <string_view>
 #include <vector>
 
+#include "base/alarm.hpp"
 #include "base/axis.hpp"
 #include "machine/parameter.hpp"
 
 namespace kerf {
+
+/// By which alarm the controller knows a value that is out of range or does not go with others.
+struct KeyAlarm {
+  std::string_view key;  ///< as declared: axes.*.number
+  const AlarmKind* kind = nullptr;
+};
+
+/// A name of the controller's manual whose value every dialect has under a shared key.
+struct SharedName {
+  std::string_view key;     ///< as users of the manual would write it: melsec.axis.*.rapid_speed
+  std::string_view remedy;  ///< what to write instead: "set 'axes.*.rapid'"
+};
 
 /// The declarations in force for one dialect. The tables must outlive everything made from them: static
 /// tables do.
@@ -22,6 +35,8 @@ struct Schema {
   /// Top-level sections of the other dialects. A file may hold them; they are passed over unread, so that one
   /// file can describe a machine for several dialects. Any other unknown section is an error.
   std::span<const std::string_view> foreign_sections;
+  std::span<const KeyAlarm> alarms = {};
+  std::span<const SharedName> shared_names = {};
 };
 
 /// A key cut at its dots: {"axes", "X", "rapid"}.
@@ -71,6 +86,9 @@ std::string_view name_in_table(const Parameter& parameter);
 /// The default of an expanded key, as TOML text: an override of the dialect for this key or for its pattern,
 /// the shared default (A, B and C are rotary), or the parameter's own.
 std::string_view default_text(const Schema& schema, const Parameter& parameter, std::string_view key);
+
+/// The alarm for bad values of a declared key, or null.
+const AlarmKind* alarm_of(const Schema& schema, const Parameter& parameter);
 
 /// Mistakes in the declarations themselves, for the tests of a dialect: a default that does not fit its own
 /// declaration, a key declared twice, an override of an unknown key, a word without choices, a key without

@@ -33,6 +33,12 @@ tl::expected<const Parameter*, Complaint> find_parameter(const Settings& setting
   return tl::unexpected(section_not_value(path));
 }
 
+/// The controller's own alarm for a value of this key that is out of range, or null.
+const AlarmKind* alarm_for(const Settings& settings, const KeyPath& path, const Complaint& complaint) {
+  const Parameter* parameter = follow(settings.schema(), path).parameter;
+  return complaint.out_of_range && parameter ? alarm_of(settings.schema(), *parameter) : nullptr;
+}
+
 tl::expected<void, Complaint> assign(Settings& settings, const KeyPath& path, std::string_view text) {
   const auto parameter = find_parameter(settings, path);
   if (!parameter) return tl::unexpected(parameter.error());
@@ -60,8 +66,9 @@ tl::expected<void, SettingsError> apply_assignment(Settings& settings, std::stri
   const KeyPath path = split_key(trimmed(key_equals_value.substr(0, equals)));
   if (auto done = assign(settings, path, key_equals_value.substr(equals + 1)); !done) {
     Complaint& complaint = done.error();
-    return tl::unexpected(
-        SettingsError{option, 0, 0, std::move(complaint.message), std::move(complaint.remedy)});
+    SettingsError error{option, 0, 0, std::move(complaint.message), std::move(complaint.remedy)};
+    if (const AlarmKind* kind = alarm_for(settings, path, complaint)) name_alarm(error, *kind);
+    return tl::unexpected(std::move(error));
   }
   return {};
 }

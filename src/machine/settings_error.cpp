@@ -4,6 +4,11 @@
 
 namespace kerf {
 
+void name_alarm(SettingsError& error, const AlarmKind& kind) {
+  error.alarm = kind.detail;
+  error.message = fmt::format("{}/{} {}: {}", kind.code, kind.detail, kind.name, error.message);
+}
+
 std::string error_text(const SettingsError& error) {
   std::string text = error.file;
   if (error.line != 0) text += fmt::format(":{}:{}", error.line, error.column);

@@ -186,7 +186,10 @@ class FileReader {
     }
     auto value = checked_value(parameter, key, *std::move(raw));
     if (!value) {
+      const bool out_of_range = value.error().out_of_range;
       fail(path, node.source(), std::move(value.error()));
+      const AlarmKind* kind = alarm_of(settings_.schema(), parameter);
+      if (out_of_range && kind) name_alarm(errors_.back(), *kind);
       return;
     }
     if (key == "dialect") {

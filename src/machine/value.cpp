@@ -131,7 +131,8 @@ tl::unexpected<Complaint> out_of_range(const Parameter& parameter, std::string_v
   return tl::unexpected(
       Complaint{fmt::format("'{}' = {} is out of range", key, toml_text(value)),
                 fmt::format("the range is {}{}{}", range.empty() ? "every finite number" : range,
-                            parameter.unit.empty() ? "" : " ", parameter.unit)});
+                            parameter.unit.empty() ? "" : " ", parameter.unit),
+                true});
 }
 
 tl::expected<Value, Complaint> checked_word(const Parameter& parameter, std::string_view key,
@@ -150,11 +151,6 @@ tl::expected<Value, Complaint> checked_pair(const Parameter& parameter, std::str
                                             const std::array<double, 2>& pair) {
   for (const double number : pair) {
     if (!in_range(parameter, number)) return out_of_range(parameter, key, number);
-  }
-  if (!(pair[0] < pair[1])) {
-    return tl::unexpected(
-        Complaint{fmt::format("'{}' = {}: the low value is not below the high value", key, toml_text(pair)),
-                  "write [low, high]"});
   }
   return pair;
 }

@@ -21,6 +21,7 @@ using Value = std::variant<bool, std::int64_t, double, std::string, std::array<d
 struct Complaint {
   std::string message;
   std::string remedy;
+  bool out_of_range = false;  ///< the value is of the right type, but too small or too large
 };
 
 /// One word of a ValueType::word parameter, with the manual's number where the declaration gives one.
@@ -32,8 +33,7 @@ std::vector<Choice> choices_of(const Parameter& parameter);
 
 /// The value as the parameter declares it, from a value of any type: an integer becomes a number where a
 /// number is declared and a word where the choices are numbered. Refused: another type, NaN and infinity, a
-/// value out of range, a word that is not among the choices, a pair whose low is not below its high. `key` is
-/// the key for the messages.
+/// value out of range, a word that is not among the choices. `key` is the key for the messages.
 tl::expected<Value, Complaint> checked_value(const Parameter& parameter, std::string_view key, Value value);
 
 /// The value from text: as in TOML, and words and texts also without quotes. Text in quotes is taken

@@ -3,6 +3,7 @@
 #include "dialect/melsec/alarms.hpp"
 #include "dialect/melsec/codes.hpp"
 #include "dialect/melsec/compile.hpp"
+#include "dialect/melsec/configuration.hpp"
 #include "dialect/melsec/rules.hpp"
 #include "dialect/melsec/settings.hpp"
 
@@ -13,8 +14,12 @@ std::shared_ptr<const BlockRules> make_rules(const Settings& settings, const Mac
   return std::make_shared<const Rules>(controller_settings(settings), machine);
 }
 
-FeedPolicy feed_policy(const Settings&) {
-  return {};
+FeedPolicy feed_policy(const Settings& settings) {
+  FeedPolicy policy;
+  const bool cancelled = settings.boolean("melsec.system.override_cancel_device");
+  if (!cancelled) policy.feed_override = settings.number("melsec.system.cutting_override_device");
+  policy.rapid_override = settings.number("melsec.system.rapid_override_device");
+  return policy;
 }
 
 ToolpathPolicy toolpath_policy(const Settings&) {
@@ -40,8 +45,11 @@ Dialect dialect() {
   d.codes = code_table();
   d.parameters = parameters();
   d.defaults = default_machine();
+  d.key_alarms = key_alarms();
+  d.shared_names = shared_names();
+  d.complete = complete_limits;
+  d.contradictions = contradictions;
   d.is_subprogram = is_subprogram;
-  d.complete_machine = complete_machine;
   d.rules = make_rules;
   d.feed_policy = feed_policy;
   d.toolpath_policy = toolpath_policy;

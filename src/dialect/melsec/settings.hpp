@@ -8,7 +8,6 @@
 #include "base/axis.hpp"
 #include "execute/macro_variables.hpp"
 #include "execute/modal.hpp"
-#include "machine/machine.hpp"
 #include "machine/parameter.hpp"
 #include "machine/settings.hpp"
 
@@ -31,8 +30,10 @@ struct ControllerSettings {
 
 std::span<const Parameter> parameters();
 std::span<const DefaultOverride> default_machine();
+/// The details codes of values that single keys, shared ones too, cannot have.
+std::span<const KeyAlarm> key_alarms();
+/// The parameters of the manual that a shared key sets.
+std::span<const SharedName> shared_names();
 ControllerSettings controller_settings(const Settings& settings);
-/// Rotation axes of type 0 and 1 have no limits (4.2, stored stroke limit).
-void complete_machine(const Settings& settings, Machine& machine);
 
 }  // namespace kerf::melsec
