@@ -50,7 +50,14 @@ bool BlockRun::combinations() {
 bool BlockRun::unfinished_codes() {
   constexpr CodeSet kUnfinished = set_of(code(38)) | set_of(code(39)) | set_of(code(41)) | set_of(code(42)) |
                                   set_of(code(41, 1)) | set_of(code(42, 1)) | set_of(code(12, 1));
+  constexpr CodeSet kNormalLine = set_of(code(41, 1)) | set_of(code(42, 1));
+  constexpr CodeSet kPolar = set_of(code(12, 1));
   if ((words_.codes() & kUnfinished) == 0) return true;
+  const ControllerSettings& settings = rules_.settings();
+  if ((words_.codes() & kNormalLine) != 0 && !settings.normal_line)
+    return refuse("031BH", span(last_code(kNormalLine)));
+  if ((words_.codes() & kPolar) != 0 && !(settings.polar_linear && settings.polar_rotary))
+    return refuse("0325H", span(last_code(kPolar)));
   return refuse("unfinished-code", span(last_code(kUnfinished)));
 }
 

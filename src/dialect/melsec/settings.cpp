@@ -20,6 +20,9 @@ ControllerSettings controller_settings(const Settings& s) {
   c.arc_center_compensation = s.number("melsec.system.arc_center_compensation");
   c.base = {axis_named(s.text("melsec.system.base_axis_i")), axis_named(s.text("melsec.system.base_axis_j")),
             axis_named(s.text("melsec.system.base_axis_k"))};
+  c.normal_line = axis_named(s.text("melsec.system.normal_line_axis"));
+  c.polar_linear = axis_named(s.text("melsec.system.polar_linear_axis"));
+  c.polar_rotary = axis_named(s.text("melsec.system.polar_rotary_axis"));
   c.variables.common =
       s.integer("melsec.system.common_system_points") + s.integer("melsec.system.common_all_points");
   c.variables.locals = !s.text("melsec.system.local_start_device").empty();

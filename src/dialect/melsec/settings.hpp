@@ -20,8 +20,11 @@ struct ControllerSettings {
   double arc_deviation = 0.01;              ///< mm
   double arc_center_compensation = 0.0;     ///< mm; below 0: none, 0: two least increments
   std::array<std::optional<Axis>, 3> base;  ///< I, J, K
-  AxisSet endless;                          ///< rotation axes of type 0 and 1
-  AxisSet shortest;                         ///< those of type 1: absolute values are reached the shorter way
+  std::optional<Axis> normal_line;          ///< axis of normal line control
+  std::optional<Axis> polar_linear;         ///< axes of polar coordinate interpolation
+  std::optional<Axis> polar_rotary;
+  AxisSet endless;   ///< rotation axes of type 0 and 1
+  AxisSet shortest;  ///< those of type 1: absolute values are reached the shorter way
   MacroVariableLayout variables;
   bool axis_tolerance = false;        ///< tolerable acceleration control for each axis
   bool rotation_takes_start = false;  ///< coordinate rotation type 1: the start point turns along
