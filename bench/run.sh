@@ -35,7 +35,9 @@ kerf_step "writing a program of $blocks blocks" build/bench-input.log bash -c "
   awk -v blocks=$blocks -f bench/three_axes.awk > $work/three_axes.nc
   g++ -std=c++20 -O2 tools/make_finishing.cpp -o $work/make_finishing
   $work/make_finishing $blocks > $work/finishing.nc
-  $work/make_finishing 20000 > $work/small.nc" || exit 1
+  $work/make_finishing 20000 > $work/small.nc
+  mkdir -p $work/store
+  awk -v folder=$work/store -f bench/melsec_store.awk" || exit 1
 # rs274 wants to know the tool and has no eight-digit program number.
 printf 'T7 P7 Z+48.0 D+4.0 ;ball nose\n' >"$work/tool.tbl"
 sed -e 's/^O00000104$/(O104)/' "$work/finishing.nc" >"$work/finishing.ngc"
@@ -90,15 +92,20 @@ if [ "$micro" -eq 1 ] && [ -x build/bench/bench/kerf_bench ]; then
     }' "$work/micro.csv"
 fi
 
-# table TITLE FILE.nc [FILE.ngc]: the commands on one program, beside rs274 on its own copy of it.
-table() {
-  lines=$(wc -l <"$2")
+# heading TITLE BLOCKS BYTES
+heading() {
+  lines=$2
   base=''
   kerf_say "$1, $lines blocks, $repetitions repetitions each"
   printf '\n%s: %s blocks, %s MB; whole process from start to end, %s repetitions.\n\n' \
-    "$1" "$lines" "$(awk -v b="$(wc -c <"$2")" 'BEGIN { printf "%.1f", b / 1e6 }')" "$repetitions"
+    "$1" "$lines" "$(awk -v b="$3" 'BEGIN { printf "%.1f", b / 1e6 }')" "$repetitions"
   printf '| command | median s | range s | million blocks/s | peak MiB | time / `kerf path` |\n'
   printf '| --- | ---: | ---: | ---: | ---: | ---: |\n'
+}
+
+# table TITLE FILE.nc [FILE.ngc]: the commands on one program, beside rs274 on its own copy of it.
+table() {
+  heading "$1" "$(wc -l <"$2")" "$(wc -c <"$2")"
   measure 'kerf path --quiet' "$kerf" path --quiet "$2"
   base=$median
   measure 'kerf check' "$kerf" check "$2"
@@ -116,3 +123,11 @@ command -v rs274 >/dev/null ||
 table 'Three axes, four decimals' "$work/three_axes.nc" "$work/three_axes.nc"
 table 'A finishing program' "$work/finishing.nc" "$work/finishing.ngc"
 table 'A short finishing program' "$work/small.nc"
+
+variables='--set melsec.system.common_system_points=100 --set melsec.system.common_system_start_device=D2000'
+heading 'MELSEC: four subprograms, called thirteen times' 988110 "$(cat "$work"/store/*.gcd | wc -c)"
+# shellcheck disable=SC2086 # a list of words
+measure 'kerf path --quiet' "$kerf" path --quiet $variables "$work/store/O001.gcd"
+base=$median
+# shellcheck disable=SC2086 # a list of words
+measure 'kerf run' "$kerf" run $variables "$work/store/O001.gcd"
