@@ -129,6 +129,61 @@ TEST_F(CheckFolder, AProgramThatReturnsToItselfIsCheckedOnce) {
   EXPECT_NE(outcome.out.find("2 blocks executed"), std::string::npos) << outcome.out;
 }
 
+TEST_F(CheckFolder, ALoopOfLinksAndAnEndlessNameAreNoCrash) {
+  program("O001.gcd", "M98P2\nM02\n");
+  fs::create_symlink("O002.gcd", folder_ / "store" / "O002.gcd");
+  for (const char* command : {"check store/O001.gcd", "path store/O001.gcd", "check store"}) {
+    const Outcome outcome = kerf(command);
+    EXPECT_EQ(outcome.status, 1) << command << outcome.err;
+    EXPECT_NE((outcome.out + outcome.err).find("031FH"), std::string::npos) << command;
+  }
+  const std::string name(5000, 'x');
+  EXPECT_EQ(kerf("check " + name).status, 2);
+  EXPECT_EQ(kerf("check --program-dir " + name + " store/O001.gcd").status, 2);
+}
+
+TEST_F(CheckFolder, OneMistakeGivesOneAlarm) {
+  // The end, the return, the move and the centre of a refused block still count.
+  program("O001.gcd", "G90G01X10.\nM98P10\nG01X[1/0]\nM02\n");
+  program("O010.gcd", "X999999. M99\n");
+  program("O002.gcd", "G90G01X10. M02\n");
+  const Outcome outcome = kerf("check store --set axes.X.limits=[-100,100]");
+  EXPECT_EQ(outcome.out.find("0309H"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("0319H"), std::string::npos) << outcome.out;
+  program("O003.gcd", "G90G00X0.Y0.Z0.\nG68X90.Y0.R0.D99\nZ0.\nG91X20.\nG90G53X90.D99\nG91G00X5.\nM02\n");
+  const Outcome centre = kerf("check store/O003.gcd --set axes.X.limits=[-100,100]");
+  EXPECT_EQ(centre.out.find("0221H"), std::string::npos) << centre.out;
+}
+
+TEST_F(CheckFolder, EachAxisThatLeavesItsTravelIsTold) {
+  program("O001.gcd", "G90G00X200.\nY500.\nX0.\nY600.\nM02\n");
+  const Outcome outcome =
+      kerf("check store/O001.gcd --set axes.X.limits=[-100,100] --set axes.Y.limits=[-100,100]");
+  EXPECT_NE(outcome.out.find("X would reach 200"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("Y would reach 500"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("Y would reach 600"), std::string::npos) << outcome.out;
+}
+
+TEST_F(CheckFolder, SarifNamesPlacesAsItsReadersCount) {
+  std::ofstream(folder_ / "store" / "my #1 part.nc", std::ios::binary)
+      << "%\n(\xC3\xA9\xC3\xA9) G999\nM02\n%\n";
+  EXPECT_EQ(kerf("check store --dialect dgshape --sarif check.sarif").status, 1);
+  const auto log = nlohmann::json::parse(contents(folder_ / "check.sarif"));
+  const auto& place = log["runs"][0]["results"][0]["locations"][0]["physicalLocation"];
+  EXPECT_EQ(place["artifactLocation"]["uri"], "store/my%20%231%20part.nc");
+  EXPECT_EQ(place["region"]["startColumn"], 6);
+  EXPECT_EQ(log["runs"][0]["columnKind"], "unicodeCodePoints");
+}
+
+TEST_F(CheckFolder, AFileIsTheSameHoweverItIsSpelled) {
+  program("O001.gcd", kGood);
+  program("O010.gcd", kSubprogram);
+  for (const char* command : {"check store//", "check store --program-dir ./store"}) {
+    EXPECT_NE(kerf(command).out.find("subprogram of"), std::string::npos) << command;
+  }
+  EXPECT_EQ(kerf("check store/O001.gcd --junit store/O010.gcd").status, 2) << "it is called by O001";
+}
+
 TEST_F(CheckFolder, RefusesAFolderWithoutProgramsAndOutputsOverInputs) {
   const Outcome empty = kerf("check store");
   EXPECT_EQ(empty.status, 2);

@@ -44,7 +44,7 @@ class Checker {
     auto prepared = prepare(file, options_.common);
     if (!prepared) {
       check.result.outcome = CheckOutcome::unreadable;
-      check.result.message = "cannot be checked";
+      check.result.message = "not checked, see the messages";
       return check;
     }
     const auto is_subprogram = prepared->controller.dialect->is_subprogram;
@@ -92,7 +92,22 @@ class Checker {
     const auto place = job.source_of(action);
     append_diagnostic(check.text, place->name(), place->text(), alarm, style_);
     check.text += '\n';
-    check.result.findings.push_back({place->name(), alarm});
+    const auto [first, end] = columns_of(*place, alarm.span);
+    check.result.findings.push_back({place->name(), alarm, first, end});
+  }
+
+  /// First column and the one behind the last, in characters instead of bytes.
+  static std::pair<std::uint32_t, std::uint32_t> columns_of(const Source& source, const SourceSpan& span) {
+    const std::string_view text = source.text();
+    if (span.column == 0 || span.offset < span.column - 1 || span.offset > text.size()) return {1, 2};
+    const auto characters = [](std::string_view part) {
+      std::uint32_t count = 0;
+      for (; !part.empty(); ++count) part.remove_prefix(first_character(part).bytes);
+      return count;
+    };
+    const std::uint32_t first = 1 + characters(text.substr(span.offset - (span.column - 1), span.column - 1));
+    const std::uint32_t length = characters(text.substr(span.offset, span.length));
+    return {first, first + std::max(length, 1U)};
   }
 
   static void watch_calls(ProgramTexts& programs, std::set<std::string>& called) {
@@ -116,7 +131,8 @@ struct Work {
 /// The files named and those of the folders named; false: the message is on standard error.
 bool collect_work(const CheckOptions& options, std::vector<Work>& work) {
   for (const std::string& name : options.files) {
-    if (!std::filesystem::is_directory(name)) {
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(name, ignored)) {
       work.push_back({name, false});
       continue;
     }
@@ -133,7 +149,18 @@ bool collect_work(const CheckOptions& options, std::vector<Work>& work) {
 
 bool outputs_are_good(const CheckOptions& options, const std::vector<Work>& work) {
   std::vector<NamedFile> inputs;
-  for (const Work& item : work) inputs.push_back({item.file, "a program"});
+  std::set<std::string> folders;
+  for (const Work& item : work) {
+    inputs.push_back({item.file, "a program"});
+    folders.insert(std::filesystem::path(item.file).parent_path().string());
+  }
+  if (options.common.program_dir) folders.insert(*options.common.program_dir);
+  // What the programs call stands beside them.
+  for (const std::string& folder : folders) {
+    for (std::string& file : program_files_in(folder.empty() ? "." : folder)) {
+      inputs.push_back({std::move(file), "a program"});
+    }
+  }
   if (options.common.machine_file) inputs.push_back({*options.common.machine_file, "the machine file"});
   std::vector<NamedFile> outputs;
   if (options.junit) outputs.push_back({*options.junit, "--junit"});
@@ -143,14 +170,21 @@ bool outputs_are_good(const CheckOptions& options, const std::vector<Work>& work
   return !clash;
 }
 
+/// One spelling for all the ways to name a file.
+std::string same_spelling(const std::string& file) {
+  std::error_code error;
+  const std::filesystem::path path = std::filesystem::weakly_canonical(file, error);
+  return error ? file : path.string();
+}
+
 /// Subprograms learn who called them.
 void name_callers(std::vector<Check>& checks) {
   std::map<std::string, std::string> callers;
   for (const Check& check : checks) {
-    for (const std::string& called : check.called) callers.emplace(called, check.result.file);
+    for (const std::string& called : check.called) callers.emplace(same_spelling(called), check.result.file);
   }
   for (Check& check : checks) {
-    const auto caller = callers.find(check.result.file);
+    const auto caller = callers.find(same_spelling(check.result.file));
     if (check.result.outcome != CheckOutcome::not_called || caller == callers.end()) continue;
     check.result.outcome = CheckOutcome::called;
     check.result.caller = caller->second;
@@ -195,9 +229,9 @@ int check_command(const CheckOptions& options) {
   }
   if (any_folder) out.text() += '\n' + check_table(programs);
   out.flush();
-  const bool written = write_or_complain(options.junit, options.junit ? junit_text(programs) : "") &&
-                       write_or_complain(options.sarif, options.sarif ? sarif_text(programs, version()) : "");
-  return out.good() && written ? status_of(programs) : kExitUsage;
+  const bool junit = write_or_complain(options.junit, options.junit ? junit_text(programs) : "");
+  const bool sarif = write_or_complain(options.sarif, options.sarif ? sarif_text(programs, version()) : "");
+  return out.good() && junit && sarif ? status_of(programs) : kExitUsage;
 }
 
 }  // namespace kerf

@@ -62,7 +62,8 @@ std::optional<std::string> not_a_program(const Source& source) {
 ProgramTexts programs_in(const std::filesystem::path& folder) {
   return [folder](std::int32_t number) -> std::shared_ptr<const Source> {
     const std::filesystem::path file = folder / fmt::format("O{:03}.gcd", number);
-    if (!std::filesystem::exists(file)) return nullptr;
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored)) return nullptr;
     auto source = Source::open(file.string());
     return source ? *source : nullptr;
   };
@@ -71,7 +72,8 @@ ProgramTexts programs_in(const std::filesystem::path& folder) {
 }  // namespace
 
 std::optional<Prepared> prepare(const std::string& file, const CommonOptions& options) {
-  if (options.program_dir && !std::filesystem::is_directory(*options.program_dir)) {
+  std::error_code ignored;
+  if (options.program_dir && !std::filesystem::is_directory(*options.program_dir, ignored)) {
     print_error(fmt::format("--program-dir {} is no folder", *options.program_dir),
                 "name the folder that holds the subprograms");
     return std::nullopt;

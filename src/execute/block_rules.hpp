@@ -50,17 +50,19 @@ class BlockRules {
                                BlockEffects& effects) const = 0;
   /// A check goes on behind a block that execute() refused: takes over what of it is beyond doubt (modal
   /// codes, the end of its move), so that the blocks behind it are judged as if it had been right.
-  virtual void take_over(const Block& block, State& state, ActionQueue& queue) const = 0;
+  /// `ended` when the block ends the program, `done` otherwise.
+  virtual BlockOutcome take_over(const Block& block, State& state, ActionQueue& queue,
+                                 BlockEffects& effects) const = 0;
   /// The text ended without an end-of-program word, at the place the queue has begun with.
   virtual void end_of_data(State& state, ActionQueue& queue) const = 0;
   /// The alarm for text that is no block.
   virtual Alarm syntax_alarm(SyntaxFault fault, const SourceSpan& span) const = 0;
   /// Machine coordinates of the origin of the workpiece coordinate system in force.
   virtual AxisVector work_origin(const State& state) const = 0;
-  /// What the controller shows as the position in the workpiece coordinate system: without tool length
-  /// offset, and without rotation where the controller shows it so.
   /// A position as the controller shows it: an axis that turns without end within one turn.
   virtual AxisVector shown(AxisVector position) const { return position; }
+  /// What the controller shows as the position in the workpiece coordinate system: without tool length
+  /// offset, and without rotation where the controller shows it so.
   virtual AxisVector work_position(const State& state) const {
     return state.registers.position - work_origin(state);
   }

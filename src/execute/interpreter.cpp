@@ -62,7 +62,7 @@ void Interpreter::recover() {
   if (!refused_ || !queue_.empty()) return;
   refused_ = false;
   queue_.begin(queue_.origin());
-  rules_->take_over(block_, state_, queue_);
+  finished_ = rules_->take_over(block_, state_, queue_, effects_) == BlockOutcome::ended;
 }
 
 void Interpreter::execute_block() {

@@ -74,6 +74,17 @@ std::optional<Excess> Travel::excess_of(const AxisVector& position) const {
   return std::nullopt;
 }
 
+std::optional<Excess> Travel::leaving(const Move& move) const {
+  const Extent extent = extent_of(move);
+  for (std::size_t i = 0; i < axes_; ++i) {
+    const auto axis = static_cast<Axis>(i);
+    if (!contains(axis, move.start.values[i])) continue;
+    if (extent.high.values[i] > highest_[i]) return Excess{axis, extent.high.values[i]};
+    if (extent.low.values[i] < lowest_[i]) return Excess{axis, extent.low.values[i]};
+  }
+  return std::nullopt;
+}
+
 FixedText<200> Travel::message_for(const Excess& excess) const {
   const std::size_t i = index(excess.axis);
   const char* unit = type_[i] == AxisType::rotary ? "deg" : "mm";

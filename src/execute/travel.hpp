@@ -39,6 +39,8 @@ class Travel {
   /// The first axis that a move or a position takes out of its travel.
   std::optional<Excess> excess_of(const Move& move) const;
   std::optional<Excess> excess_of(const AxisVector& position) const;
+  /// The first axis that a move takes out of its travel and that was inside before.
+  std::optional<Excess> leaving(const Move& move) const;
   /// "X would reach 600.0000 mm; travel is 0 to 500 mm"
   FixedText<200> message_for(const Excess& excess) const;
 

@@ -45,14 +45,27 @@ std::string finding_line(const CheckFinding& finding) {
                      remedy_of(alarm));
 }
 
+/// A path as a relative reference (RFC 3986): all but its safe characters in per cent.
+std::string uri_of(std::string_view path) {
+  std::string uri;
+  for (const char c : path) {
+    const bool safe = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                      std::string_view("-._~/").find(c) != std::string_view::npos;
+    if (safe)
+      uri += c;
+    else
+      uri += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return uri;
+}
+
 Json location_of(const CheckFinding& finding) {
   const SourceSpan& span = finding.alarm.span;
   Json location;
-  location["physicalLocation"]["artifactLocation"]["uri"] = finding.file;
+  location["physicalLocation"]["artifactLocation"]["uri"] = uri_of(finding.file);
   if (span.line > 0) {
-    location["physicalLocation"]["region"] = {{"startLine", span.line},
-                                              {"startColumn", span.column},
-                                              {"endColumn", span.column + std::max(span.length, 1U)}};
+    location["physicalLocation"]["region"] = {
+        {"startLine", span.line}, {"startColumn", finding.first_column}, {"endColumn", finding.end_column}};
   }
   return location;
 }
@@ -62,6 +75,21 @@ Json rule_of(const AlarmKind& kind) {
           {"shortDescription", {{"text", kind.name}}},
           {"fullDescription", {{"text", kind.cause}}},
           {"help", {{"text", kind.remedy}}}};
+}
+
+/// All alarms of a program in one element, since a test case fails once.
+void append_failure(const CheckedProgram& program, std::string& out) {
+  const CheckFinding* first = nullptr;
+  std::string lines;
+  for (const CheckFinding& finding : program.findings) {
+    if (!stops_program(finding.alarm)) continue;
+    if (first == nullptr) first = &finding;
+    lines += finding_line(finding) + '\n';
+  }
+  if (first == nullptr) return;
+  out += fmt::format("<failure type=\"{}\" message=\"{}\">{}</failure>\n",
+                     xml_text(short_name(*first->alarm.kind)), xml_text(message_of(first->alarm)),
+                     xml_text(lines));
 }
 
 }  // namespace
@@ -74,17 +102,20 @@ std::string check_table(std::span<const CheckedProgram> programs) {
   std::string out =
       fmt::format("{:<{}}  {:>8} {:>8} {:>10}  result\n", "program", width, "alarms", "warnings", "blocks");
   std::uint64_t faulty = 0;
+  std::uint64_t unreadable = 0;
   for (const CheckedProgram& program : programs) {
     const std::string name = visible_text(program.file);
     const auto padding = width - static_cast<std::size_t>(visible_width(program.file));
     out += fmt::format("{}{:{}}  {:>8} {:>8} {:>10}  {}\n", name, "", padding,
                        count_or_dash(program, program.alarms), count_or_dash(program, program.warnings),
                        count_or_dash(program, program.blocks), visible_text(outcome_text(program)));
-    faulty += program.alarms > 0 || program.outcome == CheckOutcome::unreadable ? 1 : 0;
+    faulty += program.alarms > 0 ? 1 : 0;
+    unreadable += program.outcome == CheckOutcome::unreadable ? 1 : 0;
   }
-  out +=
-      fmt::format("{} {}, {} with alarms\n", programs.size(), programs.size() == 1 ? "program" : "programs",
-                  faulty == 0 ? "none" : fmt::format("{}", faulty));
+  out += fmt::format("{} {}, {} with alarms", programs.size(), programs.size() == 1 ? "program" : "programs",
+                     faulty == 0 ? "none" : fmt::format("{}", faulty));
+  if (unreadable > 0) out += fmt::format(", {} not checked", unreadable);
+  out += '\n';
   return out;
 }
 
@@ -107,12 +138,7 @@ std::string junit_text(std::span<const CheckedProgram> programs) {
     } else if (program.outcome != CheckOutcome::executed) {
       out += fmt::format("<skipped message=\"{}\"/>\n", xml_text(outcome_text(program)));
     }
-    for (const CheckFinding& finding : program.findings) {
-      if (!stops_program(finding.alarm)) continue;
-      out += fmt::format("<failure type=\"{}\" message=\"{}\">{}</failure>\n",
-                         xml_text(short_name(*finding.alarm.kind)), xml_text(message_of(finding.alarm)),
-                         xml_text(finding_line(finding)));
-    }
+    append_failure(program, out);
     out += "</testcase>\n";
   }
   return out + "</testsuite>\n</testsuites>\n";
@@ -135,6 +161,7 @@ std::string sarif_text(std::span<const CheckedProgram> programs, std::string_vie
   }
   Json run;
   run["tool"]["driver"] = {{"name", "kerf"}, {"version", version}, {"rules", std::move(rules)}};
+  run["columnKind"] = "unicodeCodePoints";
   run["results"] = std::move(results);
   Json log;
   log["$schema"] = "https://json.schemastore.org/sarif-2.1.0.json";

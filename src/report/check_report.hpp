@@ -15,20 +15,22 @@ namespace kerf {
 struct CheckFinding {
   std::string file;
   Alarm alarm;
+  std::uint32_t first_column = 1;  ///< in characters, from 1
+  std::uint32_t end_column = 1;    ///< behind the last one
 };
 
 enum class CheckOutcome : std::uint8_t {
   executed,
   called,      ///< a subprogram that a checked program called
   not_called,  ///< a subprogram that none of them called: it was not executed
-  unreadable,  ///< no program at all
+  unreadable,  ///< no program, or its machine is not one
 };
 
 /// One file.
 struct CheckedProgram {
   std::string file;
   CheckOutcome outcome = CheckOutcome::executed;
-  std::string message;  ///< unreadable: why
+  std::string message;  ///< unreadable: that it is; why stands on standard error
   std::string caller;   ///< called: the first program that did
   std::vector<CheckFinding> findings;
   std::uint64_t blocks = 0;

@@ -185,9 +185,10 @@ bool BlockRun::check_travel(const Move& move) {
   // Where radius compensation moves the tool only the toolpath knows, and it checks the travel then.
   if (offset_on() || registers.offset_return_pending || settings_.clip_over_travel) return true;
   const Travel& travel = rules_.travel();
-  // From outside, where only an alarm before can have left the tool, the way is not complained of again.
-  if (travel.contains(move) || !travel.contains(move.start)) return true;
-  return refuse_travel(travel.excess_of(move).value_or(Excess{}));
+  // An axis that is outside, where only an alarm before can have left it, is not complained of again.
+  if (travel.contains(move)) return true;
+  const auto excess = travel.leaving(move);
+  return !excess || refuse_travel(*excess);
 }
 
 bool BlockRun::refuse_travel(const Excess& excess) {

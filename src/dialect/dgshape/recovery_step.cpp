@@ -19,6 +19,7 @@ void BlockRun::take_over() {
   for (const std::uint8_t i : words_.m_words()) {
     const auto number = words_.at(i).number.digits;
     if (number == 3 || number == 5) registers.spindle_on = number == 3;
+    if (number == 2 || number == 30) ends_program = true;
   }
   take_over_end();
 }

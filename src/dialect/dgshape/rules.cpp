@@ -98,8 +98,10 @@ BlockOutcome Rules::execute_whole(const Block& block, State& state, ActionQueue&
   return BlockOutcome::ended;
 }
 
-void Rules::take_over(const Block& block, State& state, ActionQueue& queue) const {
-  BlockRun(*this, block, state, queue).take_over();
+BlockOutcome Rules::take_over(const Block& block, State& state, ActionQueue& queue, BlockEffects&) const {
+  BlockRun run(*this, block, state, queue);
+  run.take_over();
+  return run.ends_program ? BlockOutcome::ended : BlockOutcome::done;
 }
 
 void Rules::finish(State& state, ActionQueue& queue) const {

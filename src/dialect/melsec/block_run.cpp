@@ -128,9 +128,20 @@ bool BlockRun::program_code() {
 
 void BlockRun::take_over() {
   if (!words_.collect(block_, registers.modal[Group::distance], rules_.machine().axes, alarm)) return;
-  registers.feed_given = true;
-  if (!modal()) return;
-  if (words_.has(kDwell) || words_.has(kLocalSystem) || words_.has(kMacroCall)) return;
+  taking_over_ = true;
+  registers.feed_given = true;  // that it is missing is said once
+  modal();
+  take_over_operation();
+  if (words_.program_code() == ProgramCode::stop || program_code()) return;
+  flow_.kind = FlowRequest::Kind::none;
+}
+
+/// The blocks behind are judged as if the move of this one had been right.
+void BlockRun::take_over_operation() {
+  if (words_.has(kDwell) || words_.has(kMacroCall)) return;
+  const bool moves = !words_.has(kLocalSystem) && words_[Group::rotation] != code(68);
+  if (moves && !words_.axes().empty()) registers.placement.absolute_wanted = false;
+  if (operation() || !moves || words_.has(kMachineMove)) return;
   AxisVector target = registers.position;
   if (targets(target)) arrive(target, words_.axes());
 }

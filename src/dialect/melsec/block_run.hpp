@@ -34,6 +34,7 @@ class BlockRun {
   // block_run.cpp
   bool feed();
   bool operation();
+  void take_over_operation();
   bool dwell();
   bool local_system();
   void move_rotation(const AxisVector& by);
@@ -64,7 +65,7 @@ class BlockRun {
   bool arc_by_center(const Plane& plane, const AxisVector& target, bool clockwise, Arc& out);
   bool arc_by_radius(const Plane& plane, const AxisVector& target, bool clockwise, Arc& out, bool& nothing);
   bool targets(AxisVector& target);
-  double absolute_target(Axis axis, double from, double to) const;
+  double absolute_target(Axis axis, double from, double origin, double value) const;
   bool absolute_first();
   bool feed_given_for(MoveMode mode);
   /// A move of the axes to `end` in machine coordinates.
@@ -85,7 +86,8 @@ class BlockRun {
   ActionQueue& queue_;
   FlowRequest& flow_;
   BlockWords words_;
-  double rapid_feed_ = 0.0;  ///< mm/min, of ,F; 0: not given
+  bool taking_over_ = false;  ///< a refused block: nothing is pushed, and no move is refused again
+  double rapid_feed_ = 0.0;   ///< mm/min, of ,F; 0: not given
 };
 
 }  // namespace kerf::melsec

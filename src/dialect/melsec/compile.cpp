@@ -116,12 +116,18 @@ std::shared_ptr<const CompiledProgram> compile(std::shared_ptr<const Source> sou
 
 bool is_subprogram(const std::shared_ptr<const Source>& source) {
   const auto program = compile(source, 0);
-  const auto has = [&program](std::int64_t number) {
-    return std::any_of(program->words.begin(), program->words.end(), [number](const Word& word) {
-      return word.address == 'M' && word.expression < 0 && word.number.digits == number;
-    });
-  };
-  return has(99) && !has(2) && !has(30);
+  bool returns = false;
+  for (const Statement& statement : program->statements) {
+    for (std::uint32_t i = 0; i < statement.word_count; ++i) {
+      const Word& word = program->words[statement.first_word + i];
+      if (word.expression >= 0 || word.number.has_point) continue;
+      if (word.address == 'G' && word.number.digits == 65) break;  // the rest are arguments
+      if (word.address != 'M') continue;
+      if (word.number.digits == 2 || word.number.digits == 30) return false;
+      returns = returns || word.number.digits == 99;
+    }
+  }
+  return returns;
 }
 
 }  // namespace kerf::melsec

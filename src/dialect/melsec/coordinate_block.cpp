@@ -1,5 +1,7 @@
 #include "dialect/melsec/coordinate_block.hpp"
 
+#include <cmath>
+
 #include "dialect/melsec/numbers.hpp"
 #include "execute/grid.hpp"
 #include "execute/moves.hpp"
@@ -38,6 +40,8 @@ bool read_ends(const Rules& rules, const Block& block, const Registers& register
         on_grid((incremental ? registers.position.values[i] : origin.values[i]) + number.value);
     ends.machine[i] = on_grid(ends.programmed[i] + registers.placement.length.values[i]);
     if (!rules.travel().contains(*axis, ends.machine[i])) return false;
+    constexpr double kLongWay = 50'000.0;  // mm: four of them may be too long for the controller to count
+    if (std::abs(ends.machine[i] - registers.placement.machine.values[i]) > kLongWay) return false;
     ends.axes.insert(*axis);
   }
   return !ends.axes.empty();

@@ -103,7 +103,8 @@ bool BlockRun::length_offset() {
 /// The axis that G43 and G44 act on: of those commanded the last base axis, without any the base axis K.
 std::optional<Axis> BlockRun::offset_axis() const {
   const auto& base = rules_.settings().base;
-  if (words_.axes().empty()) return base[2];
+  // Beside G68 the axis words are its centre.
+  if (words_.axes().empty() || words_[Group::rotation] == code(68)) return base[2];
   for (std::size_t i = base.size(); i-- > 0;) {
     if (base[i] && words_.axes().contains(*base[i])) return base[i];
   }

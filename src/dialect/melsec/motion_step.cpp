@@ -25,11 +25,14 @@ double length_of(const Move& move) {
 }  // namespace
 
 /// An absolute value of a rotation axis of type 0 leaves out whole turns, one of type 1 takes the shorter way
-/// (4.2, rotation axis type). Positions run on over the turns; only what is shown stays within one.
-double BlockRun::absolute_target(Axis axis, double from, double to) const {
+/// (4.2, rotation axis type). Positions run on over the turns, but the way is the one from the position that
+/// is shown, from 0 to 359.9999 degrees; `origin` is that of the coordinate system it is shown in.
+double BlockRun::absolute_target(Axis axis, double from, double origin, double value) const {
   const ControllerSettings& settings = rules_.settings();
-  if (!settings.endless.contains(axis)) return on_grid(to);
-  double way = std::fmod(on_grid(to - from), 360.0);
+  if (!settings.endless.contains(axis)) return on_grid(origin + value);
+  double here = std::fmod(on_grid(from - origin), 360.0);
+  if (here < 0.0) here += 360.0;
+  double way = std::fmod(on_grid(value - here), 360.0);
   if (settings.shortest.contains(axis)) {
     if (way > 180.0) way -= 360.0;
     if (way <= -180.0) way += 360.0;
@@ -44,7 +47,7 @@ bool BlockRun::targets(AxisVector& target) {
     double value = 0.0;
     if (!accept(*word.word, position_of(*word.word), value)) return false;
     target[axis] = word.incremental ? on_grid(registers.position[axis] + value)
-                                    : absolute_target(axis, registers.position[axis], origin[axis] + value);
+                                    : absolute_target(axis, registers.position[axis], origin[axis], value);
   }
   return true;
 }
@@ -66,6 +69,7 @@ bool BlockRun::absolute_first() {
 
 bool BlockRun::push(MoveMode mode, const AxisVector& end, const AxisVector& commanded, const Plane& plane,
                     const Arc& arc) {
+  if (taking_over_) return true;
   Placement& placement = registers.placement;
   Move& move = push_pathless(mode, mode == MoveMode::rapid ? rapid_feed_ : registers.feed, queue_);
   move.start = placement.machine;
@@ -80,10 +84,11 @@ bool BlockRun::push(MoveMode mode, const AxisVector& end, const AxisVector& comm
                   FixedText<200>::format("The path of the block is {:.4f} mm long.", length_of(move)));
   }
   const Travel& travel = rules_.travel();
-  if (travel.contains(move) || !travel.contains(move.start)) return true;
-  const Excess excess = travel.excess_of(move).value_or(Excess{});
-  return refuse("0221H", words_.axes().contains(excess.axis) ? span(excess.axis) : block_.span,
-                travel.message_for(excess));
+  if (travel.contains(move)) return true;
+  const auto excess = travel.leaving(move);
+  if (!excess) return true;
+  return refuse("0221H", words_.axes().contains(excess->axis) ? span(excess->axis) : block_.span,
+                travel.message_for(*excess));
 }
 
 void BlockRun::arrive(const AxisVector& programmed, AxisSet named) {
@@ -132,7 +137,7 @@ bool BlockRun::machine_move() {
     if (!accept(*word.word, position_of(*word.word), value)) return false;
     // In G91 the value is an increment like any other.
     end[axis] = word.incremental ? on_grid(end[axis] - placement.length_taken[axis] + value)
-                                 : absolute_target(axis, end[axis], value);
+                                 : absolute_target(axis, end[axis], 0.0, value);
   }
   if (!absolute_first()) return false;
   const MoveMode mode = registers.modal[Group::motion] == code(0) ? MoveMode::rapid : MoveMode::linear;
@@ -251,7 +256,7 @@ bool BlockRun::arc_by_radius(const Plane& plane, const AxisVector& target, bool 
 /// An arc begins where the program has the tool; behind G68 of type 1 or a change of its length it may not
 /// yet be there.
 bool BlockRun::stands_on_arc(const Plane& plane) {
-  constexpr double kSamePlace = 1e-6;
+  constexpr double kSamePlace = 5e-6;  // a few steps of the grid that turned positions lie on
   const Placement& placement = registers.placement;
   const AxisVector there =
       machine_position(placement, registers.position, AxisSet{plane.first, plane.second});

@@ -122,9 +122,12 @@ BlockOutcome Rules::execute_whole(const Block& block, State& state, ActionQueue&
   return BlockOutcome::ended;
 }
 
-void Rules::take_over(const Block& block, State& state, ActionQueue& queue) const {
-  FlowRequest ignored;
-  BlockRun(*this, block, state, queue, ignored).take_over();
+BlockOutcome Rules::take_over(const Block& block, State& state, ActionQueue& queue,
+                              BlockEffects& effects) const {
+  BlockRun run(*this, block, state, queue, effects.flow);
+  run.take_over();
+  if (run.local_written) state.tables.local_offsets[run.local_written->system] = run.local_written->offset;
+  return run.ends_program ? BlockOutcome::ended : BlockOutcome::done;
 }
 
 void Rules::end_of_data(State&, ActionQueue& queue) const {

@@ -21,7 +21,8 @@ class Rules final : public BlockRules {
   void begin_program(State& state) const override;
   BlockOutcome execute(const Block& block, State& state, ActionQueue& queue,
                        BlockEffects& effects) const override;
-  void take_over(const Block& block, State& state, ActionQueue& queue) const override;
+  BlockOutcome take_over(const Block& block, State& state, ActionQueue& queue,
+                         BlockEffects& effects) const override;
   void end_of_data(State& state, ActionQueue& queue) const override;
   Alarm syntax_alarm(SyntaxFault fault, const SourceSpan& span) const override;
   AxisVector work_origin(const State& state) const override;
