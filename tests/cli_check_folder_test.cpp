@@ -1,56 +1,27 @@
 // kerf check on a folder of programs: the table, JUnit and SARIF.
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <sstream>
-#include <sys/wait.h>
-#include <unistd.h>
+
+#include "shell_test.hpp"
 
 namespace kerf {
 namespace {
 
-namespace fs = std::filesystem;
-
-struct Outcome {
-  int status = -1;
-  std::string out;
-  std::string err;
-};
-
-std::string contents(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-class CheckFolder : public testing::Test {
+class CheckFolder : public ShellTest {
  protected:
   void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "kerf-check-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
+    ShellTest::SetUp();
     fs::create_directory(folder_ / "store");
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   void program(const std::string& name, const std::string& blocks) {
-    std::ofstream(folder_ / "store" / name, std::ios::binary) << "%\n" << blocks << "%\n";
+    file("store/" + name, "%\n" + blocks + "%\n");
   }
 
   /// Runs kerf inside the folder.
   Outcome kerf(const std::string& arguments) {
-    const std::string command =
-        "cd " + folder_.string() + " && " + KERF_BINARY + " " + arguments + " >out 2>err";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128, contents(folder_ / "out"),
-            contents(folder_ / "err")};
+    return shell("cd " + folder_.string() + " && " + KERF_BINARY + " " + arguments);
   }
-
-  fs::path folder_;
 };
 
 constexpr const char* kGood = "G90G00X10.\nM98P10\nM02\n";

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "dialect/setup.hpp"
-#include "execute/interpreter.hpp"
+#include "transcript.hpp"
 
 namespace kerf {
 namespace {
@@ -78,31 +78,6 @@ Programs random_programs(unsigned seed) {
   return programs;
 }
 
-std::string describe(const AxisVector& v) {
-  return fmt::format("{}", fmt::join(v.values, " "));
-}
-
-std::string describe(const Action& action) {
-  if (const auto* alarm = std::get_if<Alarm>(&action.what)) return std::string(alarm->kind->detail);
-  const auto* move = std::get_if<Move>(&action.what);
-  if (move == nullptr) return fmt::format("action {}", action.what.index());
-  return fmt::format("{} {} {} {} | {} | {} | {} F{}", static_cast<int>(move->mode), move->axis_words,
-                     static_cast<int>(move->compensation.side), move->rotary_feed.active,
-                     describe(move->start), describe(move->end), describe(move->commanded), move->feed);
-}
-
-std::vector<std::string> transcript(const Controller& controller, const std::string& text) {
-  Interpreter program(controller.rules, Source::from_text("test", text), controller.interpreter_options);
-  std::vector<std::string> lines;
-  for (;;) {
-    const Action* action = program.next();
-    if (action == nullptr) break;
-    lines.push_back(fmt::format("{}: {}", action->origin.span.line, describe(*action)));
-    program.recover();
-  }
-  return lines;
-}
-
 void expect_same(const std::vector<std::string>& assignments) {
   SetupOptions options;
   options.dialect = "dgshape";
@@ -112,8 +87,8 @@ void expect_same(const std::vector<std::string>& assignments) {
   std::size_t actions = 0;
   for (unsigned seed = 1; seed <= 150; ++seed) {
     const Programs programs = random_programs(seed);
-    const auto expected = transcript(*controller, programs.numbered);
-    ASSERT_EQ(transcript(*controller, programs.plain), expected) << programs.plain;
+    const auto expected = transcript(*controller, "test", programs.numbered);
+    ASSERT_EQ(transcript(*controller, "test", programs.plain), expected) << programs.plain;
     actions += expected.size();
   }
   EXPECT_GT(actions, 150U * 20U);

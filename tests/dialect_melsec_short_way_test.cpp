@@ -2,12 +2,11 @@
 // they are and with a D word, which changes nothing but the way, in every block of coordinates.
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 #include <random>
 
 #include "dialect/setup.hpp"
-#include "execute/interpreter.hpp"
+#include "transcript.hpp"
 
 namespace kerf {
 namespace {
@@ -77,31 +76,6 @@ Programs random_programs(unsigned seed) {
   return programs;
 }
 
-std::string describe(const AxisVector& v) {
-  return fmt::format("{}", fmt::join(v.values, " "));
-}
-
-std::string describe(const Action& action) {
-  if (const auto* alarm = std::get_if<Alarm>(&action.what)) return std::string(alarm->kind->detail);
-  const auto* move = std::get_if<Move>(&action.what);
-  if (move == nullptr) return fmt::format("action {}", action.what.index());
-  return fmt::format("{} {} {} | {} | {} | {} F{}", static_cast<int>(move->mode), move->from_rest,
-                     move->exact_stop, describe(move->start), describe(move->end), describe(move->commanded),
-                     move->feed);
-}
-
-std::vector<std::string> transcript(const Controller& controller, const std::string& text) {
-  Interpreter program(controller.rules, Source::from_text("O001.gcd", text), controller.interpreter_options);
-  std::vector<std::string> lines;
-  while (lines.size() < 1000) {
-    const Action* action = program.next();
-    if (action == nullptr) break;
-    lines.push_back(fmt::format("{}: {}", action->origin.span.line, describe(*action)));
-    program.recover();
-  }
-  return lines;
-}
-
 void expect_same(const std::vector<std::string>& assignments) {
   SetupOptions options;
   options.dialect = "melsec";
@@ -111,8 +85,8 @@ void expect_same(const std::vector<std::string>& assignments) {
   std::size_t actions = 0;
   for (unsigned seed = 1; seed <= 200; ++seed) {
     const Programs programs = random_programs(seed);
-    const auto expected = transcript(*controller, programs.marked);
-    ASSERT_EQ(transcript(*controller, programs.plain), expected) << programs.plain;
+    const auto expected = transcript(*controller, "O001.gcd", programs.marked);
+    ASSERT_EQ(transcript(*controller, "O001.gcd", programs.plain), expected) << programs.plain;
     actions += expected.size();
   }
   EXPECT_GT(actions, 200U * 20U);

@@ -5,11 +5,6 @@
 #include "dialect/melsec/program_call.hpp"
 
 namespace kerf::melsec {
-namespace {
-
-constexpr std::size_t kContouringAxes = 4;
-
-}  // namespace
 
 BlockRun::BlockRun(const Rules& rules, const Block& block, State& state, ActionQueue& queue,
                    FlowRequest& flow)
@@ -22,7 +17,7 @@ BlockRun::BlockRun(const Rules& rules, const Block& block, State& state, ActionQ
 
 bool BlockRun::run() {
   if (!words_.collect(block_, registers.modal[Group::distance], rules_.machine().axes, alarm)) return false;
-  if (words_.axes().size() > static_cast<int>(kContouringAxes)) return refuse("0302H", block_.span);
+  if (words_.axes().size() > kContouringAxes) return refuse("0302H", block_.span);
   if (!combinations() || !compensation_numbers() || !unfinished_codes() || !feed() || !modal()) return false;
   for (const std::int32_t number : words_.auxiliaries()) queue_.push<Auxiliary>().code = number;
   return operation() && program_code();

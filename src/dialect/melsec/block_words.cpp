@@ -11,23 +11,6 @@ namespace {
 
 constexpr double kHighestAuxiliary = 99999999.0;
 
-std::uint8_t one_shot_of(CodeNumber number) {
-  switch (number) {
-    case code(4):
-      return kDwell;
-    case code(9):
-      return kExactStop;
-    case code(52):
-      return kLocalSystem;
-    case code(53):
-      return kMachineMove;
-    case code(65):
-      return kMacroCall;
-    default:
-      return 0;
-  }
-}
-
 /// Rows and sets of the G codes by ten times their number, made once.
 struct CodeIndex {
   std::array<const CodeRow*, 1000> rows{};
@@ -78,7 +61,6 @@ bool BlockWords::collect(const Block& block, CodeNumber distance, AxisSet machin
   rapid_feed_ = nullptr;
   auxiliaries_.clear();
   code_set_ = 0;
-  one_shots_ = 0;
   program_code_ = ProgramCode::none;
   incremental_ = distance == code(91);
   first_argument_ = block.words.size();
@@ -110,10 +92,7 @@ bool BlockWords::take_code(const Block& block, const Word& word, std::optional<A
     return false;
   }
   code_set_ |= set_of_known(*number);
-  if (row->group == Group::one_shot) {
-    one_shots_ |= one_shot_of(*number);
-    return true;
-  }
+  if (row->group == Group::one_shot) return true;
   const auto group = static_cast<std::size_t>(row->group);
   if (codes_[group] != kNoCode && codes_[group] != *number) code_set_ &= ~set_of_known(codes_[group]);
   codes_[group] = *number;

@@ -12,14 +12,12 @@
 
 namespace kerf::melsec {
 
-/// One-shot codes, a bit each.
-enum OneShot : std::uint8_t {
-  kDwell = 1,
-  kExactStop = 2,
-  kLocalSystem = 4,
-  kMachineMove = 8,
-  kMacroCall = 16
-};
+// One-shot codes, as sets of one.
+inline constexpr CodeSet kDwell = set_of(code(4));
+inline constexpr CodeSet kExactStop = set_of(code(9));
+inline constexpr CodeSet kLocalSystem = set_of(code(52));
+inline constexpr CodeSet kMachineMove = set_of(code(53));
+inline constexpr CodeSet kMacroCall = set_of(code(65));
 
 /// M codes that steer the program itself.
 enum class ProgramCode : std::uint8_t { none, stop, end, call, go_back };
@@ -47,7 +45,7 @@ class BlockWords {
 
   CodeNumber operator[](Group group) const { return codes_[static_cast<std::size_t>(group)]; }
   bool has(Group group) const { return (*this)[group] != kNoCode; }
-  bool has(OneShot code) const { return (one_shots_ & code) != 0; }
+  bool has(CodeSet codes) const { return (code_set_ & codes) != 0; }
   /// The codes that count: the last one of each group, and all one-shot codes.
   CodeSet codes() const { return code_set_; }
   const Word* find(char address) const { return values_[static_cast<std::size_t>(address - 'A')]; }
@@ -74,7 +72,6 @@ class BlockWords {
   const Word* rapid_feed_ = nullptr;
   FixedVector<std::int32_t, kAuxiliaries> auxiliaries_;
   CodeSet code_set_ = 0;
-  std::uint8_t one_shots_ = 0;
   ProgramCode program_code_ = ProgramCode::none;
   std::size_t first_argument_ = 0;
   bool incremental_ = false;

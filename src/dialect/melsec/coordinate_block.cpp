@@ -9,8 +9,6 @@
 namespace kerf::melsec {
 namespace {
 
-constexpr std::size_t kContouringAxes = 4;
-
 bool straight_in_force(const Registers& registers) {
   const Placement& placement = registers.placement;
   if (placement.rotation.active || placement.absolute_wanted || placement.rest_wanted) return false;
@@ -66,7 +64,8 @@ void arrive(const Ends& ends, Registers& registers) {
 
 bool run_coordinate_block(const Rules& rules, const Block& block, State& state, ActionQueue& queue) {
   Registers& registers = state.registers;
-  if (block.words.size() > kContouringAxes || !straight_in_force(registers)) return false;
+  if (block.words.size() > static_cast<std::size_t>(kContouringAxes) || !straight_in_force(registers))
+    return false;
   const AxisVector origin = workpiece_origin(registers, state.tables);
   Ends ends;
   if (!read_ends(rules, block, registers, origin, ends)) return false;

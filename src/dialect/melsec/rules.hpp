@@ -12,6 +12,9 @@ namespace kerf::melsec {
 /// Tool compensation numbers, from 1; 0 cancels.
 inline constexpr std::int32_t kCompensations = 40;
 
+/// Axes that one block may move.
+inline constexpr int kContouringAxes = 4;
+
 class Rules final : public BlockRules {
  public:
   Rules(const ControllerSettings& settings, const Machine& machine);

@@ -3,13 +3,6 @@
 #include "execute/code_table.hpp"
 
 namespace kerf::melsec {
-namespace {
-
-std::optional<Axis> axis_named(const std::string& name) {
-  return name.size() == 1 ? axis_from_letter(name[0]) : std::nullopt;
-}
-
-}  // namespace
 
 ControllerSettings controller_settings(const Settings& s) {
   ControllerSettings c;
@@ -18,11 +11,11 @@ ControllerSettings controller_settings(const Settings& s) {
   c.initial_distance = code_named(s.text("melsec.system.initial_absolute_mode"));
   c.arc_deviation = s.number("melsec.system.arc_deviation");
   c.arc_center_compensation = s.number("melsec.system.arc_center_compensation");
-  c.base = {axis_named(s.text("melsec.system.base_axis_i")), axis_named(s.text("melsec.system.base_axis_j")),
-            axis_named(s.text("melsec.system.base_axis_k"))};
-  c.normal_line = axis_named(s.text("melsec.system.normal_line_axis"));
-  c.polar_linear = axis_named(s.text("melsec.system.polar_linear_axis"));
-  c.polar_rotary = axis_named(s.text("melsec.system.polar_rotary_axis"));
+  c.base = {axis_of(s.text("melsec.system.base_axis_i")), axis_of(s.text("melsec.system.base_axis_j")),
+            axis_of(s.text("melsec.system.base_axis_k"))};
+  c.normal_line = axis_of(s.text("melsec.system.normal_line_axis"));
+  c.polar_linear = axis_of(s.text("melsec.system.polar_linear_axis"));
+  c.polar_rotary = axis_of(s.text("melsec.system.polar_rotary_axis"));
   c.variables.common =
       s.integer("melsec.system.common_system_points") + s.integer("melsec.system.common_all_points");
   c.variables.locals = !s.text("melsec.system.local_start_device").empty();
