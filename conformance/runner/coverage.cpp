@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <fmt/format.h>
+#include <optional>
 
 namespace kerf::conformance {
 namespace {
@@ -25,7 +26,22 @@ Proof proof_of(const std::string& id, const CaseClaims& cases,
   if (cases.named.count(id) != 0) return Proof::by_case;
   const auto claim = claims.find(id);
   if (claim == claims.end()) return Proof::missing;
-  return claim->second == ClaimKind::unit ? Proof::by_unit_test : Proof::by_reason;
+  switch (claim->second) {
+    case ClaimKind::unit:
+      return Proof::by_unit_test;
+    case ClaimKind::reason:
+      return Proof::by_reason;
+    case ClaimKind::later:
+      return Proof::later;
+  }
+  return Proof::missing;
+}
+
+std::optional<ClaimKind> kind_named(std::string_view name) {
+  if (name == "unit") return ClaimKind::unit;
+  if (name == "reason") return ClaimKind::reason;
+  if (name == "later") return ClaimKind::later;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -43,11 +59,10 @@ tl::expected<std::vector<Claim>, FileError> parse_claims(const std::string& file
       return tl::unexpected(FileError{file, lines[i].number, std::move(message)});
     };
     if (cells.size() != 3) return fail(fmt::format("{} cells in a table of 3 columns", cells.size()));
-    if (cells[1] != "unit" && cells[1] != "reason")
-      return fail(fmt::format("'{}' is neither unit nor reason", cells[1]));
+    const auto kind = kind_named(cells[1]);
+    if (!kind) return fail(fmt::format("'{}' is none of unit, reason, later", cells[1]));
     if (trimmed(cells[2]).empty()) return fail("the claim has no text");
-    claims.push_back({cells[0], cells[1] == "unit" ? ClaimKind::unit : ClaimKind::reason, cells[2], file,
-                      lines[i].number});
+    claims.push_back({cells[0], *kind, cells[2], file, lines[i].number});
   }
   return claims;
 }
@@ -76,8 +91,8 @@ std::vector<FileError> claim_errors(const std::set<std::string>& known_ids, cons
     };
     if (known_ids.count(claim.id) == 0) fail(fmt::format("there is no statement {}", claim.id));
     if (!seen.insert(claim.id).second) fail(fmt::format("{} is claimed twice", claim.id));
-    if (claim.kind == ClaimKind::reason && cases.named.count(claim.id) != 0) {
-      fail(fmt::format("{} is said not to be provable, but a case proves it", claim.id));
+    if (claim.kind != ClaimKind::unit && cases.named.count(claim.id) != 0) {
+      fail(fmt::format("{} is said not to be provable or not yet, but a case proves it", claim.id));
     }
   }
   return errors;
@@ -135,9 +150,10 @@ std::string summary_line(const TableCoverage& coverage) {
   std::size_t all = 0;
   for (const auto& [proof, number] : coverage.counts) all += number;
   return fmt::format(
-      "{}: {} statements: {} by a case, {} by a unit test, {} by a reason, {} failed, {} missing",
+      "{}: {} statements: {} by a case, {} by a unit test, {} by a reason, {} for later, {} failed, {} "
+      "missing",
       coverage.name, all, count(Proof::by_case), count(Proof::by_unit_test), count(Proof::by_reason),
-      count(Proof::failed), count(Proof::missing));
+      count(Proof::later), count(Proof::failed), count(Proof::missing));
 }
 
 }  // namespace kerf::conformance

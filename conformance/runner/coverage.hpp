@@ -17,6 +17,7 @@ namespace kerf::conformance {
 enum class ClaimKind : std::uint8_t {
   unit,    ///< a named unit test proves it
   reason,  ///< software cannot show it; the text says why
+  later,   ///< it needs a part that kerf does not have yet; the text names the part
 };
 
 /// A row of conformance/claims.
@@ -37,7 +38,7 @@ struct CaseClaims {
   std::set<std::string> failed;  ///< by at least one case
 };
 
-enum class Proof : std::uint8_t { by_case, by_unit_test, by_reason, failed, missing };
+enum class Proof : std::uint8_t { by_case, by_unit_test, by_reason, later, failed, missing };
 
 struct TableCoverage {
   std::string name;
@@ -48,7 +49,8 @@ struct TableCoverage {
 TableCoverage coverage_of(const StatementTable& table, const CaseClaims& cases,
                           const std::vector<Claim>& claims);
 
-/// Claims of unknown ids, claims of one id twice, and `reason` claims of ids that a case proves after all.
+/// Claims of unknown ids, claims of one id twice, and `reason` and `later` claims of ids that a case proves
+/// after all.
 std::vector<FileError> claim_errors(const std::set<std::string>& known_ids, const CaseClaims& cases,
                                     const std::vector<Claim>& claims);
 
@@ -61,7 +63,8 @@ std::vector<FileError> unit_test_errors(const std::vector<Claim>& claims, const 
 /// The tests that a GoogleTest source defines, as `Suite.Test`.
 std::set<std::string> tests_defined_in(std::string_view source);
 
-/// `dgshape: 614 statements: 590 by a case, 20 by a unit test, 4 by a reason, 0 failed, 0 missing`
+/// `dgshape: 614 statements: 590 by a case, 20 by a unit test, 4 by a reason, 0 for later, 0 failed, 0
+/// missing`
 std::string summary_line(const TableCoverage& coverage);
 
 }  // namespace kerf::conformance
