@@ -36,6 +36,8 @@ struct Dialect {
   void (*complete)(Settings&) = nullptr;
   /// Whether a program is meant to be called by others and not to run by itself; null: none is.
   bool (*is_subprogram)(const std::shared_ptr<const Source>&) = nullptr;
+  /// Puts into the machine what keys of its own say of it; null: none do.
+  void (*complete_machine)(const Settings&, Machine&) = nullptr;
   /// Settings of its own that do not go together; null: all do.
   std::vector<SettingsError> (*contradictions)(const Settings&) = nullptr;
   std::shared_ptr<const BlockRules> (*rules)(const Settings&, const Machine&) = nullptr;

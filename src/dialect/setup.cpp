@@ -66,6 +66,7 @@ tl::expected<Controller, std::vector<SettingsError>> make_controller(const Setup
     for (SettingsError& error : chosen.contradictions(settings)) errors.push_back(std::move(error));
   }
   if (!errors.empty()) return tl::unexpected(std::move(errors));
+  if (chosen.complete_machine != nullptr) chosen.complete_machine(settings, *machine);
   auto rules = (*dialect)->rules(settings, *machine);
   const FeedPolicy feed = (*dialect)->feed_policy(settings);
   const ToolpathPolicy toolpath = (*dialect)->toolpath_policy(settings);

@@ -65,11 +65,23 @@ struct RotaryFeed {
   double radius = 0.0;  ///< mm
 };
 
+/// How a path is to be followed, as the program asks for it.
+enum class PathMode : std::uint8_t {
+  cutting,          ///< blocks run into each other
+  exact_stop,       ///< at rest between blocks; Move::exact_stop says so too
+  high_accuracy,    ///< with the machine's own limits for it
+  corner_override,  ///< slower before inner corners
+};
+
 struct Move {
   MoveMode mode = MoveMode::rapid;
+  PathMode path_mode = PathMode::cutting;
   bool from_rest = false;   ///< the axes come to rest before it
   bool exact_stop = false;  ///< the axes come to rest at the end
   bool axis_words = true;   ///< the block names an axis of the plane, even when the distance is zero
+  bool each_axis = false;  ///< of a rapid move: every axis goes by itself, as fast as it may (AxisMotionPass)
+  bool passes_on = false;  ///< of such a move: its next leg goes on without a rest between
+  Axis last_axis = Axis::X;  ///< of such a move's legs: the axis that arrives last, and moves in all of them
   Plane plane = kPlaneXY;
   RadiusCompensation compensation;
   RotaryFeed rotary_feed;
@@ -77,7 +89,8 @@ struct Move {
   AxisVector end;        ///< machine coordinates
   AxisVector commanded;  ///< end in the coordinate system the block was written in, before tool
                          ///< compensations: the workpiece coordinate system, or the machine's for G53
-  double feed = 0.0;  ///< programmed mm/min, before override; of a rapid move its highest speed, 0: the axes'
+  double feed = 0.0;  ///< programmed mm/min, before override; of a rapid move the highest speed of any axis,
+                      ///< 0: the axes' own
   Arc arc;            ///< only when is_arc(mode)
 };
 

@@ -5,9 +5,13 @@ namespace kerf {
 Move& push_pathless(MoveMode mode, double feed, ActionQueue& queue) {
   Move& move = queue.push_unset_move();
   move.mode = mode;
+  move.path_mode = PathMode::cutting;
   move.from_rest = false;
   move.exact_stop = false;
   move.axis_words = true;
+  move.each_axis = false;
+  move.passes_on = false;
+  move.last_axis = Axis::X;
   move.plane = kPlaneXY;
   move.compensation = {};
   move.rotary_feed = {};

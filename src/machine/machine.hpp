@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,12 +19,16 @@ struct AxisSettings {
   AxisType type = AxisType::linear;
   double lower_limit = -9999.9999;  ///< machine coordinate; infinite: none
   double upper_limit = 9999.9999;
-  double rapid = 6000.0;        ///< mm/min or degree/min
-  double max_feed = 6000.0;     ///< mm/min or degree/min
-  double acceleration = 500.0;  ///< mm/s2 or degree/s2
-  double jerk = 5000.0;         ///< mm/s3 or degree/s3
-  double home = 0.0;            ///< machine coordinate of the reference point
-  double start = 0.0;           ///< machine coordinate where the axis stands when the program starts
+  double rapid = 6000.0;                ///< mm/min or degree/min
+  double max_feed = 6000.0;             ///< mm/min or degree/min
+  double acceleration = 500.0;          ///< mm/s2 or degree/s2
+  double jerk = 5000.0;                 ///< mm/s3 or degree/s3
+  double home = 0.0;                    ///< machine coordinate of the reference point
+  double start = 0.0;                   ///< machine coordinate where the axis stands when the program starts
+  double high_accuracy_rapid = 0.0;     ///< mm/min or degree/min in PathMode::high_accuracy; 0: rapid
+  double high_accuracy_max_feed = 0.0;  ///< the same for max_feed
+  std::optional<Axis> master =
+      std::nullopt;  ///< the axis makes every movement of this one and none of its own
 };
 
 /// One tool or compensation number.
@@ -53,6 +58,15 @@ struct Machine {
   MotionSettings motion;
 
   const AxisSettings& operator[](Axis a) const { return axis[index(a)]; }
+
+  /// The axes that follow another one.
+  AxisSet followers() const {
+    AxisSet set;
+    for (const Axis a : axes) {
+      if (axis[index(a)].master) set.insert(a);
+    }
+    return set;
+  }
 };
 
 }  // namespace kerf

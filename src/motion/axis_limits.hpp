@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "execute/axis_speed.hpp"
 #include "machine/machine.hpp"
 
 namespace kerf {
@@ -15,17 +16,20 @@ struct AxisLimits {
   AxisVector inverse_acceleration;  ///< s2/mm
   AxisVector inverse_feed;          ///< s/mm, of the highest cutting feed
   AxisVector inverse_rapid;         ///< s/mm
+  AxisSet followers;                ///< axes whose way is that of another: nothing of theirs counts
 };
 
-inline AxisLimits make_axis_limits(const Machine& machine) {
+inline AxisLimits make_axis_limits(const Machine& machine, PathMode mode = PathMode::cutting) {
   AxisLimits limits;
+  limits.followers = machine.followers();
   for (const Axis axis : machine.axes) {
+    if (limits.followers.contains(axis)) continue;
     const AxisSettings& settings = machine[axis];
     limits.acceleration[axis] = settings.acceleration;
-    limits.feed[axis] = settings.max_feed / 60.0;
+    limits.feed[axis] = max_feed_of(settings, mode) / 60.0;
     limits.inverse_acceleration[axis] = 1.0 / settings.acceleration;
-    limits.inverse_feed[axis] = 60.0 / settings.max_feed;
-    limits.inverse_rapid[axis] = 60.0 / settings.rapid;
+    limits.inverse_feed[axis] = 60.0 / max_feed_of(settings, mode);
+    limits.inverse_rapid[axis] = 60.0 / rapid_of(settings, mode);
   }
   return limits;
 }

@@ -57,6 +57,7 @@ Pause pause_of(const ActionVariant& what) {
 LookAheadTrapezoid::LookAheadTrapezoid(const Machine& machine, const FeedPolicy& policy)
     : junction_deviation_(machine.motion.junction_deviation),
       limits_(make_axis_limits(machine)),
+      accurate_limits_(make_axis_limits(machine, PathMode::high_accuracy)),
       policy_(policy),
       look_ahead_(static_cast<std::size_t>(std::max(machine.motion.look_ahead, 0))),
       entries_(look_ahead_.capacity()),
@@ -89,7 +90,8 @@ void LookAheadTrapezoid::push(const Action& action) {
 
 void LookAheadTrapezoid::push_move(const Move& move, Entry& entry, PlanNode& node) {
   PathSegment& path = entry.path;
-  set_path(path, move, limits_, policy_.effective(move.feed));
+  const AxisLimits& limits = move.path_mode == PathMode::high_accuracy ? accurate_limits_ : limits_;
+  set_path(path, move, limits, policy_.effective(move.feed));
   entry.block = path.rapid ? BlockKind::rapid : BlockKind::cutting;
   if (path.length <= 0.0) {
     entry.kind = EntryKind::passing;
@@ -100,11 +102,14 @@ void LookAheadTrapezoid::push_move(const Move& move, Entry& entry, PlanNode& nod
   entry.kind = EntryKind::move;
   node.gain = 2.0 * path.acceleration * path.length;
   node.cap = cap_squared(path);
-  if (!path.rapid && !from_rest_ && !move.from_rest) {
+  if (passes_on_) {
+    node.junction = kUnlimited;
+  } else if (!path.rapid && !from_rest_ && !move.from_rest) {
     node.junction = junction_speed_squared(last_tangent_, start_tangent(path),
-                                           0.5 * (last_length_ + path.length), junction_deviation_, limits_);
+                                           0.5 * (last_length_ + path.length), junction_deviation_, limits);
   }
-  from_rest_ = path.rapid || move.exact_stop;
+  passes_on_ = move.passes_on;
+  from_rest_ = (path.rapid && !passes_on_) || move.exact_stop;
   last_tangent_ = end_tangent(path);
   last_length_ = path.length;
 }

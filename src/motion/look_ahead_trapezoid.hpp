@@ -76,6 +76,7 @@ class LookAheadTrapezoid {
 
   double junction_deviation_;
   AxisLimits limits_;
+  AxisLimits accurate_limits_;  ///< of PathMode::high_accuracy
   FeedPolicy policy_;
   LookAhead look_ahead_;
   std::vector<Entry> entries_;
@@ -83,6 +84,7 @@ class LookAheadTrapezoid {
   // The end of what was pushed.
   bool finishing_ = false;
   bool from_rest_ = true;    ///< the next move starts from rest
+  bool passes_on_ = false;   ///< the next move is another leg of the same positioning
   AxisVector last_tangent_;  ///< of the last move with a length
   double last_length_ = 0.0;
 

@@ -41,12 +41,26 @@ void set_feed(PathSegment& segment, const Move& move, double measured_length) {
   segment.feed_per_speed = 60.0 * (measured_length > 0.0 ? measured_length / segment.length : 1.0);
 }
 
+/// From the start to the end of a move, without the axes that follow others.
+AxisVector step_of(const Move& move, const AxisLimits& limits) {
+  AxisVector step = move.end - move.start;
+  for (const Axis axis : limits.followers) step[axis] = 0.0;
+  return step;
+}
+
+/// Highest speed of s at which no axis is faster than `axis_mm_min`.
+double speed_of_axes(const PathSegment& segment, double axis_mm_min) {
+  double steepest = 0.0;
+  for (const double slope : segment.slope.values) steepest = std::max(steepest, std::abs(slope));
+  return axis_mm_min / 60.0 / steepest;
+}
+
 void set_line(PathSegment& segment, const Move& move, const AxisLimits& limits) {
-  const AxisVector step = move.end - move.start;
+  const AxisVector step = step_of(move, limits);
   double sum = 0.0;
   for (const double x : step.values) sum += x * x;
   segment.is_arc = false;
-  segment.length = std::sqrt(sum);
+  segment.length = segment.rapid && move.each_axis ? std::abs(step[move.last_axis]) : std::sqrt(sum);
   segment.length_mm = std::sqrt(square(step[Axis::X]) + square(step[Axis::Y]) + square(step[Axis::Z]));
   if (!(segment.length >= kShortestLength) || std::isinf(segment.length)) {
     segment.length = 0.0;
@@ -58,7 +72,7 @@ void set_line(PathSegment& segment, const Move& move, const AxisLimits& limits) 
   segment.speed_limit =
       limit_along(segment.slope, segment.rapid ? limits.inverse_rapid : limits.inverse_feed);
   if (segment.rapid && move.feed > 0.0)
-    segment.speed_limit = std::min(segment.speed_limit, move.feed / segment.feed_per_speed);
+    segment.speed_limit = std::min(segment.speed_limit, speed_of_axes(segment, move.feed));
   segment.acceleration = limit_along(segment.slope, limits.inverse_acceleration);
 }
 
@@ -106,7 +120,7 @@ bool set_arc(PathSegment& segment, const Move& move, const AxisLimits& limits, d
   const double arc_length = mean_radius * std::abs(sweep);
   if (!(arc_length >= kShortestLength) || std::isinf(arc_length) || !(std::min(r0, r1) > 0.0)) return false;
 
-  AxisVector step = move.end - move.start;
+  AxisVector step = step_of(move, limits);
   step[first] = 0.0;
   step[second] = 0.0;
   double sum = square(arc_length);

@@ -4,7 +4,9 @@
 // The path parameter s is the length of the path in all axes together, millimetres and degrees alike, so that
 // a speed in s that does not change from one segment to a tangent one leaves every axis's velocity unchanged.
 // On lines ds2 = sum of the squared steps of all axes; on arcs the circle counts with its mean radius and the
-// other axes follow linearly.
+// other axes follow linearly. On the legs of a rapid move whose axes go by themselves (Move::each_axis) s is
+// the way of the axis that arrives last: it does not slow down where another one has arrived. That one steps
+// in velocity there, which is told as a corner step.
 //
 // Feeds are measured otherwise (`feed_length`):
 // - lines: along the X-Y-Z path; when none of these moves, along the path of the axes that do (degree/min for

@@ -4,14 +4,16 @@
 #include <concepts>
 #include <variant>
 
+#include "motion/followers.hpp"
 #include "motion/look_ahead_trapezoid.hpp"
 
 namespace kerf {
 
 /// What an acceleration law must do. A law owns the whole way from actions to cycles: one that plans speeds
 /// along the path (LookAheadTrapezoid), one that filters interpolated positions, one with S-curves per block.
-/// What the members mean is documented at LookAheadTrapezoid. A new law is a class and one more alternative
-/// of Trajectory::Law.
+/// What the members mean is documented at LookAheadTrapezoid. Axes that follow another one are no business of
+/// a law: it leaves them out of its sums, and the trajectory places them. A new law is a class and one more
+/// alternative of Trajectory::Law.
 template <class T>
 concept TrajectoryLaw = requires(T law, const T& seen, const Action& action, Cycle& cycle,
                                  BlockObserver on_block) {
@@ -36,7 +38,8 @@ class Trajectory {
  public:
   using Law = std::variant<LookAheadTrapezoid>;
 
-  Trajectory(const Machine& machine, const FeedPolicy& policy) : law_(LookAheadTrapezoid(machine, policy)) {}
+  Trajectory(const Machine& machine, const FeedPolicy& policy)
+      : law_(LookAheadTrapezoid(machine, policy)), followers_(machine) {}
 
   bool wants_action() const {
     return std::visit([](const auto& law) { return law.wants_action(); }, law_);
@@ -48,7 +51,9 @@ class Trajectory {
     std::visit([](auto& law) { law.finish(); }, law_);
   }
   StepResult step(Cycle& cycle, BlockObserver on_block) {
-    return std::visit([&](auto& law) { return law.step(cycle, on_block); }, law_);
+    const StepResult result = std::visit([&](auto& law) { return law.step(cycle, on_block); }, law_);
+    followers_.follow(cycle);
+    return result;
   }
   StepResult step(Cycle& cycle) {
     return step(cycle, [](const BlockTiming&) {});
@@ -68,12 +73,13 @@ class Trajectory {
   std::uint64_t cycles() const {
     return std::visit([](const auto& law) { return law.cycles(); }, law_);
   }
-  const MotionExtremes& extremes() const {
-    return std::visit([](const auto& law) -> const MotionExtremes& { return law.extremes(); }, law_);
+  MotionExtremes extremes() const {
+    return followers_.completed(std::visit([](const auto& law) { return law.extremes(); }, law_));
   }
 
  private:
   Law law_;
+  Followers followers_;
 };
 
 static_assert(TrajectoryLaw<LookAheadTrapezoid>);

@@ -1,13 +1,15 @@
 #pragma once
 // The passes between the interpreter and the planner, in their order.
 
+#include "toolpath/axis_motion.hpp"
 #include "toolpath/radius_compensation.hpp"
 #include "toolpath/travel_limits.hpp"
 
 namespace kerf {
 
 /// The toolpath of an upstream whose `next()` gives the actions of a program (nullptr at the end, and again
-/// after it): compensated, then checked against the travel of the axes. Allocates nothing after construction.
+/// after it): compensated, checked against the travel of the axes,
+/// and made moves of the axes. Allocates nothing after construction.
 /// Too large for a small stack (about 100 kB).
 template <class Upstream>
 class Toolpath {
@@ -15,13 +17,17 @@ class Toolpath {
   /// Upstream must outlive the toolpath.
   Toolpath(Upstream& upstream, const Machine& machine, const ToolpathPolicy& policy)
       : compensated_{&upstream, RadiusCompensationPass(policy.compensation)},
-        limits_(machine, policy.limits) {}
+        limited_{&compensated_, TravelLimitPass(machine, policy.limits)},
+        axes_(machine) {}
+
+  Toolpath(const Toolpath&) = delete;
+  Toolpath& operator=(const Toolpath&) = delete;
 
   /// The next action, valid until the following call; nullptr at the end. An alarm, of the upstream or of a
   /// pass, is the last action unless recover() is called.
   const Action* next() {
     if (stopped_) return nullptr;
-    const Action* action = limits_.next(compensated_);
+    const Action* action = axes_.next(limited_);
     stopped_ = action != nullptr && stops_program(*action);
     return action;
   }
@@ -35,7 +41,8 @@ class Toolpath {
   /// Back to the start, for a program that begins anew.
   void reset() {
     compensated_.pass.reset();
-    limits_.reset();
+    limited_.pass.reset();
+    axes_.reset();
     stopped_ = false;
   }
 
@@ -46,8 +53,15 @@ class Toolpath {
     const Action* next() { return pass.next(*upstream); }
   };
 
+  struct Limited {
+    Compensated* upstream;
+    TravelLimitPass pass;
+    const Action* next() { return pass.next(*upstream); }
+  };
+
   Compensated compensated_;
-  TravelLimitPass limits_;
+  Limited limited_;
+  AxisMotionPass axes_;
   bool stopped_ = false;
 };
 

@@ -16,7 +16,7 @@ BlockRun::BlockRun(const Rules& rules, const Block& block, State& state, ActionQ
       flow_(flow) {}
 
 bool BlockRun::run() {
-  if (!words_.collect(block_, registers.modal[Group::distance], rules_.machine().axes, alarm)) return false;
+  if (!words_.collect(block_, registers.modal[Group::distance], rules_.line(), alarm)) return false;
   if (words_.axes().size() > kContouringAxes) return refuse("0302H", block_.span);
   if (!combinations() || !compensation_numbers() || !unfinished_codes() || !feed() || !modal()) return false;
   for (const std::int32_t number : words_.auxiliaries()) queue_.push<Auxiliary>().code = number;
@@ -122,7 +122,7 @@ bool BlockRun::program_code() {
 }
 
 void BlockRun::take_over() {
-  if (!words_.collect(block_, registers.modal[Group::distance], rules_.machine().axes, alarm)) return;
+  if (!words_.collect(block_, registers.modal[Group::distance], rules_.line(), alarm)) return;
   taking_over_ = true;
   registers.feed_given = true;  // that it is missing is said once
   modal();

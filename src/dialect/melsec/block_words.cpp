@@ -51,9 +51,7 @@ CodeSet set_of_known(CodeNumber number) {
   return number == kNoCode ? 0 : code_index().sets[number];
 }
 
-namespace {}  // namespace
-
-bool BlockWords::collect(const Block& block, CodeNumber distance, AxisSet machine_axes,
+bool BlockWords::collect(const Block& block, CodeNumber distance, const LineAxes& line,
                          std::optional<Alarm>& alarm) {
   codes_.fill(kNoCode);
   values_.fill(nullptr);
@@ -76,7 +74,7 @@ bool BlockWords::collect(const Block& block, CodeNumber distance, AxisSet machin
     } else if (word.address == 'M') {
       good = take_auxiliary(block, word, alarm);
     } else {
-      good = take_value(block, word, machine_axes, alarm);
+      good = take_value(block, word, line, alarm);
     }
     if (!good) return false;
   }
@@ -133,7 +131,7 @@ bool BlockWords::take_auxiliary(const Block& block, const Word& word, std::optio
   return true;
 }
 
-bool BlockWords::take_value(const Block& block, const Word& word, AxisSet machine_axes,
+bool BlockWords::take_value(const Block& block, const Word& word, const LineAxes& line,
                             std::optional<Alarm>& alarm) {
   if (word.comma) {
     rapid_feed_ = &word;
@@ -141,7 +139,8 @@ bool BlockWords::take_value(const Block& block, const Word& word, AxisSet machin
   }
   values_[static_cast<std::size_t>(word.address - 'A')] = &word;
   if (const auto axis = axis_from_letter(word.address)) {
-    if (!machine_axes.contains(*axis)) return refuse(alarm, "0303H", span_of(block, word));
+    if (!line.all.contains(*axis)) return refuse(alarm, "0303H", span_of(block, word));
+    if (line.followers.contains(*axis)) return true;
     named_.insert(*axis);
     axes_[index(*axis)] = {&word, incremental_};
     return true;

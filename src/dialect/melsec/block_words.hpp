@@ -28,6 +28,12 @@ struct AxisWord {
   bool incremental = false;
 };
 
+/// The axes of the machine, and those of them that follow another one.
+struct LineAxes {
+  AxisSet all;
+  AxisSet followers;
+};
+
 /// Ten times the number of a G word; nothing when no code can have it.
 std::optional<CodeNumber> code_number(const Word& word);
 
@@ -41,7 +47,8 @@ class BlockWords {
   static constexpr std::size_t kAuxiliaries = 4;
 
   /// False: `alarm` says what is wrong. `distance` is the code of G90 and G91 in force before the block.
-  bool collect(const Block& block, CodeNumber distance, AxisSet machine_axes, std::optional<Alarm>& alarm);
+  /// Words of axes that follow another one are ignored (6.8).
+  bool collect(const Block& block, CodeNumber distance, const LineAxes& line, std::optional<Alarm>& alarm);
 
   CodeNumber operator[](Group group) const { return codes_[static_cast<std::size_t>(group)]; }
   bool has(Group group) const { return (*this)[group] != kNoCode; }
@@ -62,7 +69,7 @@ class BlockWords {
  private:
   bool take_code(const Block& block, const Word& word, std::optional<Alarm>& alarm);
   bool take_auxiliary(const Block& block, const Word& word, std::optional<Alarm>& alarm);
-  bool take_value(const Block& block, const Word& word, AxisSet machine_axes, std::optional<Alarm>& alarm);
+  bool take_value(const Block& block, const Word& word, const LineAxes& line, std::optional<Alarm>& alarm);
 
   std::array<CodeNumber, kGroupCount> codes_{};
   std::array<const Word*, kGroupCount> code_at_{};

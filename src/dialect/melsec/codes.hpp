@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "execute/action.hpp"
 #include "execute/code_table.hpp"
 
 namespace kerf::melsec {
@@ -29,6 +30,13 @@ constexpr CodeSet set_of(CodeNumber number) {
     if (kGCodes[i] == number) return CodeSet{1} << i;
   }
   return 0;
+}
+
+/// What a code of group 13 asks of the path.
+constexpr PathMode path_mode_of(CodeNumber number) {
+  if (number == code(64)) return PathMode::cutting;
+  if (number == code(61)) return PathMode::exact_stop;
+  return number == code(62) ? PathMode::corner_override : PathMode::high_accuracy;
 }
 
 }  // namespace kerf::melsec

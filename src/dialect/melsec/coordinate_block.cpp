@@ -30,7 +30,8 @@ bool read_ends(const Rules& rules, const Block& block, const Registers& register
   for (const Word& word : block.words) {
     const auto axis = axis_from_letter(word.address);
     if (!axis || word.comma || ends.axes.contains(*axis)) return false;
-    if (!rules.machine().axes.contains(*axis) || rules.settings().endless.contains(*axis)) return false;
+    if (!rules.line().all.contains(*axis) || rules.line().followers.contains(*axis)) return false;
+    if (rules.settings().endless.contains(*axis)) return false;
     const NumberResult number = position_of(word);
     if (number.fault != NumberFault::none) return false;
     const std::size_t i = index(*axis);
@@ -84,7 +85,9 @@ bool run_coordinate_block(const Rules& rules, const Block& block, State& state, 
       move.end[axis] = ends.machine[index(axis)];
       move.commanded[axis] = ends.programmed[index(axis)] - origin[axis];
     }
-    move.exact_stop = registers.modal[Group::path_mode] == code(61);
+    move.path_mode = path_mode_of(registers.modal[Group::path_mode]);
+    move.exact_stop = move.path_mode == PathMode::exact_stop;
+    move.each_axis = rapid && rules.settings().each_axis;
   }
   arrive(ends, registers);
   return true;

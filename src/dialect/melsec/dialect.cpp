@@ -14,6 +14,16 @@ std::shared_ptr<const BlockRules> make_rules(const Settings& settings, const Mac
   return std::make_shared<const Rules>(controller_settings(settings), machine);
 }
 
+void complete_machine(const Settings& settings, Machine& machine) {
+  for (const Axis axis : machine.axes) {
+    AxisSettings& own = machine.axis[index(axis)];
+    own.high_accuracy_rapid = settings.number(expanded("melsec.axis.*.high_accuracy_rapid_speed", axis));
+    own.high_accuracy_max_feed =
+        settings.number(expanded("melsec.axis.*.high_accuracy_cutting_clamp_speed", axis));
+    own.master = axis_of(settings.text(expanded("melsec.axis.*.master_axis_name", axis)));
+  }
+}
+
 FeedPolicy feed_policy(const Settings& settings) {
   FeedPolicy policy;
   const bool cancelled = settings.boolean("melsec.system.override_cancel_device");
@@ -48,6 +58,7 @@ Dialect dialect() {
   d.key_alarms = key_alarms();
   d.shared_names = shared_names();
   d.complete = complete_limits;
+  d.complete_machine = complete_machine;
   d.contradictions = contradictions;
   d.is_subprogram = is_subprogram;
   d.rules = make_rules;

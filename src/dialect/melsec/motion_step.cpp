@@ -78,7 +78,9 @@ bool BlockRun::push(MoveMode mode, const AxisVector& end, const AxisVector& comm
   move.plane = plane;
   move.arc = arc;
   move.from_rest = std::exchange(placement.rest_wanted, false) || words_.has(kMachineMove);
-  move.exact_stop = words_.has(kExactStop) || registers.modal[Group::path_mode] == code(61);
+  move.path_mode = path_mode_of(registers.modal[Group::path_mode]);
+  move.exact_stop = words_.has(kExactStop) || move.path_mode == PathMode::exact_stop;
+  move.each_axis = mode == MoveMode::rapid && rules_.settings().each_axis;
   if (length_of(move) > kLongestWay) {
     return refuse("0310H", block_.span,
                   FixedText<200>::format("The path of the block is {:.4f} mm long.", length_of(move)));

@@ -53,7 +53,7 @@ FlowAlarms flow_alarms() {
 }  // namespace
 
 Rules::Rules(const ControllerSettings& settings, const Machine& machine)
-    : settings_(settings), machine_(machine), travel_(machine) {}
+    : settings_(settings), machine_(machine), travel_(machine), line_{machine.axes, machine.followers()} {}
 
 BlockFeed Rules::open(std::shared_ptr<const Source> source, ProgramTexts others) const {
   const std::int32_t number = program_number(source->name());

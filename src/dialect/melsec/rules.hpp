@@ -1,6 +1,7 @@
 #pragma once
 // How blocks of the MELSEC G-code control act on the state.
 
+#include "dialect/melsec/block_words.hpp"
 #include "dialect/melsec/settings.hpp"
 #include "execute/block_rules.hpp"
 #include "execute/code_table.hpp"
@@ -35,6 +36,7 @@ class Rules final : public BlockRules {
   const ControllerSettings& settings() const { return settings_; }
   const Machine& machine() const { return machine_; }
   const Travel& travel() const { return travel_; }
+  const LineAxes& line() const { return line_; }
 
  private:
   /// Apart from execute(), whose stack frame it would make large: most blocks do not come here.
@@ -44,6 +46,7 @@ class Rules final : public BlockRules {
   ControllerSettings settings_;
   Machine machine_;
   Travel travel_;
+  LineAxes line_;
 };
 
 /// Offset of the selected work coordinate system, the local coordinate system in it included.

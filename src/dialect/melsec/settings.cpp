@@ -19,6 +19,7 @@ ControllerSettings controller_settings(const Settings& s) {
   c.variables.common =
       s.integer("melsec.system.common_system_points") + s.integer("melsec.system.common_all_points");
   c.variables.locals = !s.text("melsec.system.local_start_device").empty();
+  c.each_axis = s.text("melsec.system.g00_non_interpolation") == "each-axis";
   c.axis_tolerance = s.text("melsec.system.per_axis_tolerable_acceleration") == "each-axis";
   c.rotation_takes_start = s.text("melsec.work.coordinate_rotation_type") == "type-1";
   for (const Axis axis : s.axes()) {

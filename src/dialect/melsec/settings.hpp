@@ -26,6 +26,7 @@ struct ControllerSettings {
   AxisSet endless;   ///< rotation axes of type 0 and 1
   AxisSet shortest;  ///< those of type 1: absolute values are reached the shorter way
   MacroVariableLayout variables;
+  bool each_axis = false;             ///< G00 moves every axis by itself
   bool axis_tolerance = false;        ///< tolerable acceleration control for each axis
   bool rotation_takes_start = false;  ///< coordinate rotation type 1: the start point turns along
   bool keep_arguments = false;
