@@ -98,7 +98,9 @@ kerf::InterpreterOptions options_of(const Controller& controller,
                                     const std::shared_ptr<const kerf::Source>& source) {
   kerf::InterpreterOptions options = controller.interpreter_options;
   options.most_rounds = 5'000;
-  options.programs = [source](std::int32_t number) { return number <= 3 ? source : nullptr; };
+  options.programs = [source](std::int32_t number) {
+    return number <= 3 ? kerf::ProgramText{source} : kerf::ProgramText{};
+  };
   return options;
 }
 

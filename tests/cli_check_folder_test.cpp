@@ -166,5 +166,54 @@ TEST_F(CheckFolder, RefusesAFolderWithoutProgramsAndOutputsOverInputs) {
   EXPECT_EQ(kerf("check store --junit missing/check.xml").status, 2);
 }
 
+// MPF-228, MMA-386
+TEST_F(CheckFolder, AllProgramsTogetherHaveRoomInTheController) {
+  const std::string comment = "(" + std::string(98, 'x') + "\n";
+  std::string filling;
+  while (filling.size() < 510000) filling += comment;
+  for (const char* name : {"O001.gcd", "O002.gcd", "O003.gcd", "O004.gcd"}) program(name, filling + "M02\n");
+  EXPECT_EQ(kerf("check store").status, 0);
+  program("O005.gcd", filling + "M02\n");
+  program("O006.gcd", "M02\n");
+  const Outcome outcome = kerf("check store");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.out.find("0041H"), outcome.out.rfind("0041H")) << outcome.out;
+  EXPECT_NE(outcome.out.find("store/O005.gcd:1:1"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("6 programs, 1 with alarms"), std::string::npos) << outcome.out;
+}
+
+TEST_F(CheckFolder, ACalledSubprogramThatHasNoRoomCountsWithItsAlarm) {
+  const std::string comment = "(" + std::string(98, 'x') + "\n";
+  std::string filling;
+  while (filling.size() < 510000) filling += comment;
+  for (const char* name : {"O001.gcd", "O002.gcd", "O003.gcd"}) program(name, filling + "M02\n");
+  program("O004.gcd", filling + "M98P5\nM02\n");
+  program("O005.gcd", filling + "M99\n");
+  const Outcome outcome = kerf("check store");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.out.find("5 programs, 1 with alarms"), std::string::npos) << outcome.out;
+}
+
+// MPF-230, MMA-384
+TEST_F(CheckFolder, ACalledFileThatCannotBeReadIsNoMissingProgram) {
+  program("O001.gcd", "M98P2\nM98P3\nM02\n");
+  fs::create_directory(folder_ / "store" / "O002.gcd");
+  const Outcome outcome = kerf("check store/O001.gcd");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.out.find("store/O002.gcd:1:1"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("1FC0H 0040H"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("1FC3H 031FH"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("2 alarms"), std::string::npos) << outcome.out;
+}
+
+TEST_F(CheckFolder, ABadMachineFileIsToldOnce) {
+  program("O001.gcd", kGood);
+  program("O002.gcd", kGood);
+  const Outcome outcome = kerf("check --set axes.X.rapid=-1 store");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.err.find("axes.X.rapid"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("kerf: "), outcome.err.rfind("kerf: ")) << outcome.err;
+}
+
 }  // namespace
 }  // namespace kerf

@@ -202,7 +202,7 @@ TEST(MelsecCombinations, TheSetsFollowTheCodeTable) {
 /// The details code of the first alarm of a block; what is not a matter of combinations does not count.
 std::string alarm_of_block(const Controller& controller, const std::string& block) {
   InterpreterOptions options = controller.interpreter_options;
-  options.programs = [](std::int32_t) { return Source::from_text("O002.gcd", "%\nM99\n%\n"); };
+  options.programs = [](std::int32_t) { return ProgramText{Source::from_text("O002.gcd", "%\nM99\n%\n")}; };
   Interpreter program(controller.rules, Source::from_text("O001.gcd", "%\n" + block + "\nM02\n%\n"), options);
   while (const Action* action = program.next()) {
     const auto* alarm = std::get_if<Alarm>(&action->what);

@@ -18,7 +18,8 @@ constexpr std::array<std::string_view, 4> kMoves{"rapid", "linear", "cw", "ccw"}
 /// What may stand in an entry of one name.
 struct Form {
   std::string_view name;
-  std::string_view words;  ///< allowed words, separated by `|`; `#` an integer, `*` anything; empty: none
+  std::string_view words;  ///< allowed words, separated by `|`; `#` an integer, `-#` a negative one, `*`
+                           ///< anything; empty: none
   std::size_t fewest_words;
   std::size_t most_words;
   std::string_view numbers;  ///< keys of numbers, separated by blanks; `axes` any axis, `#` any integer
@@ -36,7 +37,7 @@ constexpr std::array kEvents{
     Form{"dwell", "", 0, 0, "s line n program", ""},
     Form{"spindle", "cw|ccw|off|orient", 1, 1, "rpm line n program", ""},
     Form{"tool", "#", 1, 1, "line n program", ""},
-    Form{"m", "#", 1, 1, "line n program", ""},
+    Form{"m", "#|-#", 1, 1, "line n program", ""},
     Form{"stop", "optional", 0, 1, "line n program", ""},
     Form{"end", "", 0, 0, "line n program", ""},
     Form{"alarm", "*", 0, 1, "line column n program", ""},
@@ -98,6 +99,7 @@ bool allows_key(std::string_view allowed, std::string_view key) {
 bool allows_word(std::string_view allowed, std::string_view word) {
   for (const std::string& item : parts_of(allowed, '|')) {
     if (item == "*" || item == word || (item == "#" && is_integer(word))) return true;
+    if (item == "-#" && word.starts_with('-') && is_integer(word.substr(1))) return true;
   }
   return false;
 }

@@ -72,10 +72,9 @@ tl::expected<Rig, std::vector<Entry>> Rig::make(const Case& test, const std::str
 
 Rig::Rig(Controller controller, bool recover) : controller_(std::move(controller)), recover_(recover) {
   others_ = std::make_shared<std::map<std::int32_t, std::string>>();
-  controller_.interpreter_options.programs =
-      [others = others_](std::int32_t number) -> std::shared_ptr<const Source> {
+  controller_.interpreter_options.programs = [others = others_](std::int32_t number) {
     const auto other = others->find(number);
-    return other == others->end() ? nullptr : Source::from_text("case", other->second);
+    return other == others->end() ? ProgramText{} : ProgramText{Source::from_text("case", other->second)};
   };
   for (const Axis axis : controller_.machine.axes) position_[axis] = controller_.machine[axis].start;
 }

@@ -1,5 +1,6 @@
 // kerf check: every alarm of the programs, without motion planning.
 
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <map>
@@ -28,6 +29,13 @@ struct Check {
   CheckedProgram result;
   std::string text;              ///< the diagnostics and a line with their number
   std::set<std::string> called;  ///< files of the subprograms it called
+  const Dialect* dialect = nullptr;
+  std::uint64_t bytes = 0;
+};
+
+struct Work {
+  std::string file;
+  std::string folder;  ///< the folder that was named; empty: the file itself was
 };
 
 class Checker {
@@ -36,6 +44,19 @@ class Checker {
       : options_(options),
         style_(style_of_stream(STDOUT_FILENO, options.common.color)),
         alone_(programs == 1) {}
+
+  /// The first program with which those of a folder become too many for the controller gets the alarm for it.
+  void limit_store(std::vector<Check>& checks, const std::vector<Work>& work) const {
+    std::map<std::pair<std::string, const Dialect*>, std::uint64_t> stored;
+    for (std::size_t i = 0; i < checks.size(); ++i) {
+      const Dialect* dialect = checks[i].dialect;
+      if (work[i].folder.empty() || dialect == nullptr || dialect->store_bytes == 0) continue;
+      std::uint64_t& bytes = stored[{work[i].folder, dialect}];
+      const bool fitted = bytes <= dialect->store_bytes;
+      bytes += checks[i].bytes;
+      if (fitted && bytes > dialect->store_bytes) refuse_store(checks[i], bytes);
+    }
+  }
 
   /// `in_folder`: the file is one of a store, so a subprogram is left to the programs that call it.
   Check check(const std::string& file, bool in_folder) const {
@@ -47,6 +68,8 @@ class Checker {
       check.result.message = "not checked, see the messages";
       return check;
     }
+    check.dialect = prepared->controller.dialect;
+    check.bytes = prepared->source->text().size();
     const auto is_subprogram = prepared->controller.dialect->is_subprogram;
     if (in_folder && is_subprogram != nullptr && is_subprogram(prepared->source)) {
       check.result.outcome = CheckOutcome::not_called;
@@ -57,6 +80,18 @@ class Checker {
   }
 
  private:
+  void refuse_store(Check& check, std::uint64_t bytes) const {
+    const Dialect& dialect = *check.dialect;
+    const auto message =
+        FixedText<200>::format("With this file the programs of the folder have {} bytes; {} are allowed.",
+                               bytes, dialect.store_bytes);
+    const Alarm alarm{dialect.store_over, {0, 1, 1, 1}, message, {}};
+    ++check.result.alarms;
+    append_diagnostic(check.text, check.result.file, "", alarm, style_);
+    check.text += '\n';
+    check.result.findings.push_back({check.result.file, alarm, 1, 2});
+  }
+
   void execute(Prepared& prepared, Check& check) const {
     watch_calls(prepared.controller.interpreter_options.programs, check.called);
     // A main program that ends with M99 would begin anew for ever.
@@ -112,9 +147,9 @@ class Checker {
 
   static void watch_calls(ProgramTexts& programs, std::set<std::string>& called) {
     programs = [inner = std::move(programs), &called](std::int32_t number) {
-      auto source = inner(number);
-      if (source != nullptr) called.insert(source->name());
-      return source;
+      ProgramText text = inner(number);
+      if (text.source != nullptr) called.insert(text.source->name());
+      return text;
     };
   }
 
@@ -123,17 +158,12 @@ class Checker {
   bool alone_;
 };
 
-struct Work {
-  std::string file;
-  bool in_folder = false;
-};
-
 /// The files named and those of the folders named; false: the message is on standard error.
 bool collect_work(const CheckOptions& options, std::vector<Work>& work) {
   for (const std::string& name : options.files) {
     std::error_code ignored;
     if (!std::filesystem::is_directory(name, ignored)) {
-      work.push_back({name, false});
+      work.push_back({name, ""});
       continue;
     }
     const std::vector<std::string> files = program_files_in(name);
@@ -142,9 +172,18 @@ bool collect_work(const CheckOptions& options, std::vector<Work>& work) {
                   "name a folder with files like O001.gcd or part.nc, or name the files themselves");
       return false;
     }
-    for (const std::string& file : files) work.push_back({file, true});
+    for (const std::string& file : files) work.push_back({file, name});
   }
   return true;
+}
+
+/// Tells what is wrong with the machine once instead of for each program.
+bool machine_is_good(const CheckOptions& options, const std::vector<Work>& work) {
+  std::set<const Dialect*> seen;
+  return std::all_of(work.begin(), work.end(), [&](const Work& item) {
+    return !seen.insert(&detect_dialect(item.file)).second ||
+           prepare_controller(options.common, item.file).has_value();
+  });
 }
 
 bool outputs_are_good(const CheckOptions& options, const std::vector<Work>& work) {
@@ -211,11 +250,13 @@ int status_of(const std::vector<CheckedProgram>& programs) {
 
 int check_command(const CheckOptions& options) {
   std::vector<Work> work;
-  if (!collect_work(options, work) || !outputs_are_good(options, work)) return kExitUsage;
+  if (!collect_work(options, work) || !outputs_are_good(options, work) || !machine_is_good(options, work))
+    return kExitUsage;
   std::vector<Check> checks(work.size());
   const Checker checker(options, work.size());
-  for_each_in_parallel(work.size(),
-                       [&](std::size_t i) { checks[i] = checker.check(work[i].file, work[i].in_folder); });
+  for_each_in_parallel(
+      work.size(), [&](std::size_t i) { checks[i] = checker.check(work[i].file, !work[i].folder.empty()); });
+  checker.limit_store(checks, work);
   name_callers(checks);
 
   ResultStream out;
@@ -224,7 +265,7 @@ int check_command(const CheckOptions& options) {
   for (std::size_t i = 0; i < checks.size(); ++i) {
     out.text() += checks[i].text;
     out.overflow();
-    any_folder = any_folder || work[i].in_folder;
+    any_folder = any_folder || !work[i].folder.empty();
     programs.push_back(std::move(checks[i].result));
   }
   if (any_folder) out.text() += '\n' + check_table(programs);

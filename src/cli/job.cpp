@@ -60,12 +60,12 @@ std::optional<std::string> not_a_program(const Source& source) {
 
 /// The other programs of the store: O001.gcd to O256.gcd in the folder.
 ProgramTexts programs_in(const std::filesystem::path& folder) {
-  return [folder](std::int32_t number) -> std::shared_ptr<const Source> {
+  return [folder](std::int32_t number) -> ProgramText {
     const std::filesystem::path file = folder / fmt::format("O{:03}.gcd", number);
     std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored)) return nullptr;
+    if (!std::filesystem::exists(file, ignored)) return {};
     auto source = Source::open(file.string());
-    return source ? *source : nullptr;
+    return source ? ProgramText{*source} : ProgramText{Source::from_text(file.string(), ""), true};
   };
 }
 
@@ -99,8 +99,8 @@ std::optional<Prepared> prepare(const std::string& file, const CommonOptions& op
   return Prepared{std::move(*source), std::move(*controller)};
 }
 
-std::optional<Controller> prepare_controller(const CommonOptions& options) {
-  return make(options, {});
+std::optional<Controller> prepare_controller(const CommonOptions& options, std::string_view program) {
+  return make(options, program);
 }
 
 void print_alarm(const Action& action, const Job& job, const CommonOptions& options) {

@@ -44,8 +44,8 @@ struct Prepared {
 /// Reads program and machine file. On failure the errors are on standard error and nothing is returned.
 std::optional<Prepared> prepare(const std::string& file, const CommonOptions& options);
 
-/// The controller alone, for commands without a program.
-std::optional<Controller> prepare_controller(const CommonOptions& options);
+/// The controller alone: for commands without a program, or the one that a program of that name gets.
+std::optional<Controller> prepare_controller(const CommonOptions& options, std::string_view program = {});
 
 /// Prints an alarm or a warning on standard error when the action is one, with the text of the program it
 /// came from.

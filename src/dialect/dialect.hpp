@@ -32,6 +32,9 @@ struct Dialect {
   std::span<const KeyAlarm> key_alarms;      ///< its alarms for bad values of single keys
   std::span<const SharedName> shared_names;  ///< its manual's names of shared keys
 
+  std::uint64_t store_bytes = 0;          ///< of all its programs in one store; 0: no limit
+  const AlarmKind* store_over = nullptr;  ///< they are larger; must be given with a limit
+
   /// Sets the defaults that follow from other settings, once these are all known; null: there are none.
   void (*complete)(Settings&) = nullptr;
   /// Whether a program is meant to be called by others and not to run by itself; null: none is.

@@ -24,8 +24,14 @@ enum class BlockOutcome : std::uint8_t {
 /// Where the blocks come from: a text without jumps is read as it is executed, any other is compiled first.
 using BlockFeed = std::variant<BlockReader, ProgramFlow>;
 
-/// The text of a further program by its number, null when there is none.
-using ProgramTexts = std::function<std::shared_ptr<const Source>(std::int32_t number)>;
+/// A further program.
+struct ProgramText {
+  std::shared_ptr<const Source> source;  ///< null: there is none
+  bool unreadable = false;               ///< its file is there and cannot be read; the source is empty
+};
+
+/// Finds a further program by its number.
+using ProgramTexts = std::function<ProgramText(std::int32_t number)>;
 
 /// What a block sets going besides its own actions.
 struct BlockEffects {

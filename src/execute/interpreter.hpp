@@ -12,10 +12,10 @@
 namespace kerf {
 
 struct InterpreterOptions {
-  bool block_skip = false;                                       ///< leave out blocks marked with a slash
-  std::uint32_t most_rounds = ProgramFlow::kMostRounds;          ///< see ProgramFlow
-  std::uint32_t most_restarts = 0xFFFFFFFF;                      ///< see ProgramFlow
-  ProgramTexts programs = [](std::int32_t) { return nullptr; };  ///< what may be called
+  bool block_skip = false;                               ///< leave out blocks marked with a slash
+  std::uint32_t most_rounds = ProgramFlow::kMostRounds;  ///< see ProgramFlow
+  std::uint32_t most_restarts = 0xFFFFFFFF;              ///< see ProgramFlow
+  ProgramTexts programs = [](std::int32_t) { return ProgramText{}; };  ///< what may be called
 };
 
 /// A value: a copy is a restart point. Allocates nothing once it runs, except to read a program called for

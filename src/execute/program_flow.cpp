@@ -32,7 +32,12 @@ ProgramFlow::ProgramFlow(std::shared_ptr<const CompiledProgram> program, Program
 ProgramFlow::Result ProgramFlow::next(Block& block, MacroVariables& variables) {
   for (;;) {
     Frame& frame = here();
-    if (frame.next >= frame.program->statements.size()) return Result::end;
+    if (frame.next >= frame.program->statements.size()) {
+      if (!frame.program->refused) return Result::end;
+      if (frames_.size() == 1) return Result::over;
+      leave(variables);
+      continue;
+    }
     const Statement& statement = frame.program->statements[frame.next];
     if (statement.first_of_block) {
       span_ = statement.span;
@@ -48,6 +53,12 @@ ProgramFlow::Result ProgramFlow::next(Block& block, MacroVariables& variables) {
         return Result::fault;
     }
   }
+}
+
+void ProgramFlow::leave(MacroVariables& variables) {
+  if (here().macro) variables.set_level(variables.level() - 1);
+  here().program.reset();
+  frames_.resize(frames_.size() - 1);
 }
 
 void ProgramFlow::skip_block() {
@@ -279,7 +290,7 @@ ProgramFlow::Result ProgramFlow::call(const FlowRequest& request, MacroVariables
       request.program < 0 || request.program == program().number ? here().program : finder_(request.program);
   if (called == nullptr) return refuse(FlowFault::no_program);
   StatementIndex entry = 0;
-  if (request.sequence_number > 0) {
+  if (request.sequence_number > 0 && !called->refused) {
     entry = called->find_first(request.sequence_number);
     if (entry == kNoStatement) return refuse(FlowFault::no_sequence_number);
   }
@@ -324,9 +335,7 @@ ProgramFlow::Result ProgramFlow::go_back(const FlowRequest& request, MacroVariab
   }
   if (main && target <= frame.next && ++restarts_ > most_restarts_) return Result::over;
   if (!main) {
-    if (frame.macro) variables.set_level(variables.level() - 1);
-    frame.program.reset();
-    frames_.resize(frames_.size() - 1);
+    leave(variables);
   }
   return jump(target) == Step::on ? Result::block : Result::fault;
 }

@@ -66,7 +66,7 @@ class ProgramFlow {
   enum class Result : std::uint8_t {
     block,
     end,   ///< a program ended without a word that ends it
-    over,  ///< the main program would begin anew more often than is wanted
+    over,  ///< the main program was not loaded, or would begin anew more often than is wanted
     fault
   };
 
@@ -128,6 +128,8 @@ class ProgramFlow {
   std::size_t loop_depth() const;
   std::size_t macro_depth() const;
   void skip_block();
+  /// Goes back to the caller of the present program.
+  void leave(MacroVariables& variables);
   Frame& here() { return frames_.back(); }
 
   FixedVector<Frame, kCalls + 1> frames_;

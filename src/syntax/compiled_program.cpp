@@ -25,6 +25,17 @@ StatementIndex CompiledProgram::find_label(std::int32_t wanted, StatementIndex f
   return first != last && first->statement < from ? first->statement : kNoStatement;
 }
 
+void CompiledProgram::refuse(const StatementFault& why) {
+  refused = true;
+  labels.clear();
+  faults.assign(1, why);
+  statements.clear();
+  Statement& statement = statements.emplace_back();
+  statement.span = why.span;
+  statement.kind = StatementKind::fault;
+  statement.jump = 0;
+}
+
 StatementIndex CompiledProgram::find_first(std::int32_t wanted) const {
   const auto [first, last] = labels_of(labels, wanted);
   return first == last ? kNoStatement : first->statement;

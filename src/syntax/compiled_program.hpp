@@ -78,6 +78,7 @@ struct CompiledProgram {
   std::vector<StatementRange> ranges;
   std::vector<StatementFault> faults;
   std::vector<SequenceLabel> labels;  ///< sorted by number, then by place
+  bool refused = false;               ///< the controller did not load it: a fault is all it holds
 
   Expression expression(const ExpressionRef& ref) const {
     return Expression(steps).subspan(ref.begin, ref.count);
@@ -85,6 +86,8 @@ struct CompiledProgram {
   /// Where a jump from the statement `from` to a sequence number leads: to the first one behind its block or,
   /// without one, to the first one in front of it; kNoStatement when there is none.
   StatementIndex find_label(std::int32_t wanted, StatementIndex from) const;
+  /// Leaves nothing but the reason why the controller does not load the program.
+  void refuse(const StatementFault& why);
   /// The first statement with the sequence number, from the start of the program; kNoStatement without one.
   StatementIndex find_first(std::int32_t wanted) const;
 };

@@ -278,8 +278,13 @@ bool BlockCompiler::word() {
   if (!word_value(word)) return false;
   word.column = span_.column + static_cast<std::uint32_t>(start);
   word.length = static_cast<std::uint32_t>(parser_.position() - start);
-  // The program number comes from the name of the file (decisions.md).
-  if (word.address != 'O') program_.words.push_back(word);
+  if (word.address == 'O') {
+    // The program number comes from the name of the file (decisions.md).
+    if (!word.number.has_point) return true;
+    parser_.set_position(start);
+    return parser_.fail("031AH");
+  }
+  program_.words.push_back(word);
   return true;
 }
 

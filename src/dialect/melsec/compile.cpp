@@ -54,14 +54,8 @@ class FileCompiler {
     const bool closed = read_blocks();
     if (!closed) refuse("0042H", end_);
     if (load_fault_) {
-      program_.statements.clear();
-      program_.labels.clear();
       controls_.clear();
-      program_.faults.assign(1, *load_fault_);
-      Statement& statement = program_.statements.emplace_back();
-      statement.span = load_fault_->span;
-      statement.kind = StatementKind::fault;
-      statement.jump = 0;
+      program_.refuse(*load_fault_);
       return;
     }
     pair_controls(program_, controls_);
@@ -85,8 +79,9 @@ class FileCompiler {
     const std::string_view block = line.text.substr(start);
     const SourceSpan span{line.offset + start, line.number, static_cast<std::uint32_t>(start + 1),
                           static_cast<std::uint32_t>(block.size())};
+    if (block.empty()) return;
     end_ = span;
-    if (block.empty() || block.front() == '(') return;
+    if (block.front() == '(') return;
     if (!may_start_block(block.front())) return refuse("0042H", {span.offset, span.line, span.column, 1});
     blocks.compile(block, span);
   }
@@ -100,7 +95,7 @@ class FileCompiler {
   Lines lines_;
   std::vector<Control> controls_;
   std::optional<StatementFault> load_fault_;
-  SourceSpan end_{0, 1, 1, 1};  ///< the last block read
+  SourceSpan end_{0, 1, 1, 1};  ///< the last block read that is not empty
 };
 
 }  // namespace
@@ -111,6 +106,15 @@ std::shared_ptr<const CompiledProgram> compile(std::shared_ptr<const Source> sou
   program->source = std::move(source);
   program->number = number;
   FileCompiler(*program, text).run();
+  return program;
+}
+
+std::shared_ptr<const CompiledProgram> refused_program(std::shared_ptr<const Source> source,
+                                                       std::int32_t number, std::string_view detail) {
+  auto program = std::make_shared<CompiledProgram>();
+  program->source = std::move(source);
+  program->number = number;
+  program->refuse({&alarm_kind(detail), {0, 1, 1, 1}});
   return program;
 }
 

@@ -10,10 +10,17 @@ namespace kerf::melsec {
 /// Largest program file, bytes (manual 5.1).
 inline constexpr std::size_t kLargestProgram = std::size_t{512} * 1024;
 
+/// All program files of the controller together, bytes (manual 5.1, appendix 1).
+inline constexpr std::size_t kLargestStore = std::size_t{2} * 1024 * 1024;
+
 /// Compiles any text: what is wrong with a block becomes a fault that is raised when the block is reached,
 /// and what is wrong with the file (no % lines, too large) a fault of its first statement, since the
 /// controller does not load such a file. `number` is the program number.
 std::shared_ptr<const CompiledProgram> compile(std::shared_ptr<const Source> source, std::int32_t number);
+
+/// A program that the controller does not load, for the details code given.
+std::shared_ptr<const CompiledProgram> refused_program(std::shared_ptr<const Source> source,
+                                                       std::int32_t number, std::string_view detail);
 
 /// The text returns with M99 and has neither M02 nor M30, so it is there to be called.
 bool is_subprogram(const std::shared_ptr<const Source>& source);

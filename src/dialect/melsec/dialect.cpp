@@ -57,6 +57,8 @@ Dialect dialect() {
   d.defaults = default_machine();
   d.key_alarms = key_alarms();
   d.shared_names = shared_names();
+  d.store_bytes = kLargestStore;
+  d.store_over = &alarm_kind("0041H");
   d.complete = complete_limits;
   d.complete_machine = complete_machine;
   d.contradictions = contradictions;

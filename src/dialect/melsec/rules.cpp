@@ -32,8 +32,13 @@ class ProgramStore {
   std::shared_ptr<const CompiledProgram> find(std::int32_t number) {
     const auto known = programs_.find(number);
     if (known != programs_.end()) return known->second;
-    auto text = texts_(number);
-    auto program = text == nullptr ? nullptr : compile(std::move(text), number);
+    auto [source, unreadable] = texts_(number);
+    std::shared_ptr<const CompiledProgram> program;
+    if (unreadable) {
+      program = refused_program(std::move(source), number, "0040H");
+    } else if (source != nullptr) {
+      program = compile(std::move(source), number);
+    }
     programs_.emplace(number, program);
     return program;
   }
