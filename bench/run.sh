@@ -38,6 +38,7 @@ kerf_step "writing a program of $blocks blocks" build/bench-input.log bash -c "
   $work/make_finishing 20000 > $work/small.nc
   mkdir -p $work/store
   awk -v folder=$work/store -f bench/melsec_store.awk" || exit 1
+printf '%%\n#101=0\nWHILE [#101 LT 10000000] DO1\n#101=#101+1\nEND1\nM02\n%%\n' >"$work/loop.gcd"
 # rs274 wants to know the tool and has no eight-digit program number.
 printf 'T7 P7 Z+48.0 D+4.0 ;ball nose\n' >"$work/tool.tbl"
 sed -e 's/^O00000104$/(O104)/' "$work/finishing.nc" >"$work/finishing.ngc"
@@ -131,3 +132,8 @@ measure 'kerf path --quiet' "$kerf" path --quiet $variables "$work/store/O001.gc
 base=$median
 # shellcheck disable=SC2086 # a list of words
 measure 'kerf run' "$kerf" run $variables "$work/store/O001.gcd"
+
+heading 'MELSEC: a loop of ten million turns, three statements each' 30000000 "$(wc -c <"$work/loop.gcd")"
+base=
+# shellcheck disable=SC2086 # a list of words
+measure 'kerf path --quiet' "$kerf" path --quiet $variables "$work/loop.gcd"

@@ -52,17 +52,9 @@ MathFault power(double base, double exponent, double& value) {
   return MathFault::none;
 }
 
+/// The operations that evaluate() leaves to it.
 MathFault binary(ExpressionOp op, double a, double b, double& value) {
   switch (op) {
-    case ExpressionOp::add:
-      value = a + b;
-      return MathFault::none;
-    case ExpressionOp::subtract:
-      value = a - b;
-      return MathFault::none;
-    case ExpressionOp::multiply:
-      value = a * b;
-      return MathFault::none;
     case ExpressionOp::divide:
       if (b == 0.0) return MathFault::zero_divisor;
       value = a / b;
@@ -89,14 +81,8 @@ MathFault binary(ExpressionOp op, double a, double b, double& value) {
     case ExpressionOp::greater:
       value = a > b ? 1.0 : 0.0;
       return MathFault::none;
-    case ExpressionOp::less:
-      value = a < b ? 1.0 : 0.0;
-      return MathFault::none;
     case ExpressionOp::greater_equal:
       value = a >= b ? 1.0 : 0.0;
-      return MathFault::none;
-    case ExpressionOp::less_equal:
-      value = a <= b ? 1.0 : 0.0;
       return MathFault::none;
     default:
       return power(a, b, value);
@@ -166,23 +152,48 @@ MathFault unary(ExpressionOp op, double a, double& value) {
 
 MathFault evaluate(Expression expression, const MacroVariables& variables, double& value) {
   std::array<double, kExpressionStack> stack;  // NOLINT(*-member-init): written before it is read
-  std::size_t top = 0;
+  double* top = stack.data() - 1;
   for (const ExpressionStep& step : expression) {
-    MathFault fault = MathFault::none;
-    if (step.op == ExpressionOp::constant) {
-      stack[top++] = step.operand;
-    } else if (step.op <= ExpressionOp::indirect) {
-      if (step.op == ExpressionOp::variable) stack[top++] = step.operand;
-      const double* variable = variables.find(stack[top - 1]);
-      if (variable == nullptr) return MathFault::no_variable;
-      stack[top - 1] = *variable;
-    } else if (is_binary(step.op)) {
-      --top;
-      fault = binary(step.op, stack[top - 1], stack[top], stack[top - 1]);
-    } else {
-      fault = unary(step.op, stack[top - 1], stack[top - 1]);
+    // What loops are made of stands here; the rest is a call away.
+    switch (step.op) {
+      case ExpressionOp::constant:
+        *++top = step.operand;
+        break;
+      case ExpressionOp::variable:
+      case ExpressionOp::indirect: {
+        if (step.op == ExpressionOp::variable) *++top = step.operand;
+        const double* variable = variables.find(*top);
+        if (variable == nullptr) return MathFault::no_variable;
+        *top = *variable;
+        break;
+      }
+      case ExpressionOp::add:
+        --top;
+        *top += top[1];
+        break;
+      case ExpressionOp::subtract:
+        --top;
+        *top -= top[1];
+        break;
+      case ExpressionOp::multiply:
+        --top;
+        *top *= top[1];
+        break;
+      case ExpressionOp::less:
+        --top;
+        *top = *top < top[1] ? 1.0 : 0.0;
+        break;
+      case ExpressionOp::less_equal:
+        --top;
+        *top = *top <= top[1] ? 1.0 : 0.0;
+        break;
+      default: {
+        if (is_binary(step.op)) --top;
+        const MathFault fault =
+            is_binary(step.op) ? binary(step.op, *top, top[1], *top) : unary(step.op, *top, *top);
+        if (fault != MathFault::none) return fault;
+      }
     }
-    if (fault != MathFault::none) return fault;
   }
   value = stack[0];
   return MathFault::none;

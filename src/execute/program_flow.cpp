@@ -124,6 +124,11 @@ std::shared_ptr<const Source> ProgramFlow::source_of(std::int32_t number) const 
 
 ProgramFlow::Step ProgramFlow::compute(const ExpressionRef& expression, const MacroVariables& variables,
                                        double& value) {
+  const ExpressionStep& first = program().steps[expression.begin];
+  if (expression.count == 1 && first.op == ExpressionOp::constant) {
+    value = first.operand;
+    return Step::on;
+  }
   const MathFault fault = evaluate(program().expression(expression), variables, value);
   return fault == MathFault::none ? Step::on : fail(fault_of(fault));
 }
