@@ -41,8 +41,8 @@ TEST_F(CheckFolder, GivesATableWithSubprogramsLeftToTheirCallers) {
             "store/O001.gcd         0        0          5  good\n"
             "store/O002.gcd         2        0          4  alarms\n"
             "store/O010.gcd         -        -          -  subprogram of store/O001.gcd\n"
-            "store/O020.gcd         -        -          -  subprogram, not called: not checked\n"
-            "4 programs, 1 with alarms\n");
+            "store/O020.gcd         -        -          -  subprogram, not called: only read\n"
+            "4 programs, 1 with alarms, 1 only read\n");
   EXPECT_NE(outcome.out.find("store/O002.gcd:3:"), std::string::npos);
   EXPECT_NE(outcome.out.find("0313H"), std::string::npos);
 }
@@ -213,6 +213,37 @@ TEST_F(CheckFolder, ABadMachineFileIsToldOnce) {
   EXPECT_EQ(outcome.status, 2);
   EXPECT_NE(outcome.err.find("axes.X.rapid"), std::string::npos) << outcome.err;
   EXPECT_EQ(outcome.err.find("kerf: "), outcome.err.rfind("kerf: ")) << outcome.err;
+}
+
+TEST_F(CheckFolder, WhatNobodyCallsIsReadAllTheSame) {
+  program("O001.gcd", "G00X1.\nIF[0EQ0]GOTO10\nM98P5\nN10M02\n");
+  program("O005.gcd", "QQQ GARBAGE ((\nG00X#1\nGOTO\nG05\nM99\n");
+  program("O006.gcd", "G01X#1\nM99\n");
+  const Outcome outcome = kerf("check --junit j.xml store");
+  EXPECT_EQ(outcome.status, 1);
+  for (const char* place : {"store/O005.gcd:2:", "store/O005.gcd:4:", "store/O005.gcd:5:"})
+    EXPECT_NE(outcome.out.find(place), std::string::npos) << outcome.out;
+  EXPECT_NE(
+      outcome.out.find("store/O005.gcd         3        -          -  subprogram, not called: only read\n"),
+      std::string::npos)
+      << outcome.out;
+  EXPECT_NE(outcome.out.find("3 programs, 1 with alarms, 2 only read\n"), std::string::npos) << outcome.out;
+  const std::string junit = contents(folder_ / "j.xml");
+  EXPECT_NE(junit.find("tests=\"3\" failures=\"1\" errors=\"0\" skipped=\"1\""), std::string::npos) << junit;
+  EXPECT_EQ(junit.find("<skipped"), junit.rfind("<skipped"));
+}
+
+TEST_F(CheckFolder, AFileThatIsNoProgramIsNamedInEveryOutput) {
+  program("O001.gcd", kGood);
+  program("O010.gcd", kSubprogram);
+  file("store/O005.gcd", "");
+  EXPECT_EQ(kerf("check --junit j.xml --sarif s.sarif store").status, 2);
+  EXPECT_NE(contents(folder_ / "j.xml").find("<error message=\"not checked: store/O005.gcd is empty"),
+            std::string::npos);
+  const auto run = nlohmann::json::parse(contents(folder_ / "s.sarif")).at("runs").at(0);
+  const auto& invocation = run.at("invocations").at(0);
+  EXPECT_FALSE(invocation.at("executionSuccessful").get<bool>());
+  EXPECT_EQ(invocation.at("toolExecutionNotifications").size(), 1U);
 }
 
 }  // namespace

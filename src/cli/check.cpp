@@ -31,6 +31,8 @@ struct Check {
   std::set<std::string> called;  ///< files of the subprograms it called
   const Dialect* dialect = nullptr;
   std::uint64_t bytes = 0;
+  std::shared_ptr<const Source> source;  ///< of a subprogram that is left to its callers
+  Machine machine;                       ///< and its machine
 };
 
 struct Work {
@@ -62,10 +64,11 @@ class Checker {
   Check check(const std::string& file, bool in_folder) const {
     Check check;
     check.result.file = file;
-    auto prepared = prepare(file, options_.common);
+    std::string why = "its machine is not one";
+    auto prepared = prepare(file, options_.common, &why);
     if (!prepared) {
       check.result.outcome = CheckOutcome::unreadable;
-      check.result.message = "not checked, see the messages";
+      check.result.message = "not checked: " + why;
       return check;
     }
     check.dialect = prepared->controller.dialect;
@@ -73,10 +76,21 @@ class Checker {
     const auto is_subprogram = prepared->controller.dialect->is_subprogram;
     if (in_folder && is_subprogram != nullptr && is_subprogram(prepared->source)) {
       check.result.outcome = CheckOutcome::not_called;
+      check.source = prepared->source;
+      check.machine = prepared->controller.machine;
       return check;
     }
     execute(*prepared, check);
     return check;
+  }
+
+  /// The alarms that show in the text of a subprogram without executing it.
+  void read_through(Check& check) const {
+    const Source& source = *check.source;
+    for (const Alarm& alarm : check.dialect->read_through(check.source, check.machine)) {
+      if (check.result.alarms >= static_cast<std::uint64_t>(options_.max_alarms)) return;
+      note(source, alarm, check);
+    }
   }
 
  private:
@@ -106,7 +120,7 @@ class Checker {
       if (progress && (++seen & 0xFFFFU) == 0) progress->show(share_read(source, *action), source.name());
       const auto* alarm = std::get_if<Alarm>(&action->what);
       if (alarm == nullptr) continue;
-      note(*job, *action, *alarm, check);
+      note(*job->source_of(*action), *alarm, check);
       if (result.alarms >= static_cast<std::uint64_t>(options_.max_alarms)) {
         append_visible(check.text, source.name());
         check.text += fmt::format(": {}, the rest is not checked (--max-alarms)\n",
@@ -122,13 +136,12 @@ class Checker {
                               count_text(result.blocks, "block", "blocks"));
   }
 
-  void note(const Job& job, const Action& action, const Alarm& alarm, Check& check) const {
+  void note(const Source& place, const Alarm& alarm, Check& check) const {
     (stops_program(alarm) ? check.result.alarms : check.result.warnings) += 1;
-    const auto place = job.source_of(action);
-    append_diagnostic(check.text, place->name(), place->text(), alarm, style_);
+    append_diagnostic(check.text, place.name(), place.text(), alarm, style_);
     check.text += '\n';
-    const auto [first, end] = columns_of(*place, alarm.span);
-    check.result.findings.push_back({place->name(), alarm, first, end});
+    const auto [first, end] = columns_of(place, alarm.span);
+    check.result.findings.push_back({place.name(), alarm, first, end});
   }
 
   /// First column and the one behind the last, in characters instead of bytes.
@@ -258,6 +271,9 @@ int check_command(const CheckOptions& options) {
       work.size(), [&](std::size_t i) { checks[i] = checker.check(work[i].file, !work[i].folder.empty()); });
   checker.limit_store(checks, work);
   name_callers(checks);
+  for (Check& check : checks) {
+    if (check.result.outcome == CheckOutcome::not_called) checker.read_through(check);
+  }
 
   ResultStream out;
   std::vector<CheckedProgram> programs;

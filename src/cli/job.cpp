@@ -71,22 +71,21 @@ ProgramTexts programs_in(const std::filesystem::path& folder) {
 
 }  // namespace
 
-std::optional<Prepared> prepare(const std::string& file, const CommonOptions& options) {
+std::optional<Prepared> prepare(const std::string& file, const CommonOptions& options, std::string* why) {
   std::error_code ignored;
   if (options.program_dir && !std::filesystem::is_directory(*options.program_dir, ignored)) {
     print_error(fmt::format("--program-dir {} is no folder", *options.program_dir),
                 "name the folder that holds the subprograms");
     return std::nullopt;
   }
+  const auto refuse = [why](const std::string& message, std::string_view remedy) {
+    print_error(message, remedy);
+    if (why != nullptr) *why = message;
+    return std::nullopt;
+  };
   auto source = Source::open(file);
-  if (!source) {
-    print_error(source.error().message, source.error().remedy);
-    return std::nullopt;
-  }
-  if (const auto why = not_a_program(**source)) {
-    print_error(*why, "name a text file with NC code");
-    return std::nullopt;
-  }
+  if (!source) return refuse(source.error().message, source.error().remedy);
+  if (const auto fault = not_a_program(**source)) return refuse(*fault, "name a text file with NC code");
   auto controller = make(options, file);
   if (!controller) return std::nullopt;
   controller->interpreter_options.programs =

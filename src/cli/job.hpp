@@ -41,8 +41,10 @@ struct Prepared {
   Controller controller;
 };
 
-/// Reads program and machine file. On failure the errors are on standard error and nothing is returned.
-std::optional<Prepared> prepare(const std::string& file, const CommonOptions& options);
+/// Reads program and machine file. On failure the errors are on standard error and nothing is returned; what
+/// is wrong with the program is in `why` too, if given.
+std::optional<Prepared> prepare(const std::string& file, const CommonOptions& options,
+                                std::string* why = nullptr);
 
 /// The controller alone: for commands without a program, or the one that a program of that name gets.
 std::optional<Controller> prepare_controller(const CommonOptions& options, std::string_view program = {});

@@ -24,7 +24,10 @@ struct Dialect {
   std::string_view file_extension;  ///< of its programs, with the dot; empty: any
   std::span<const AlarmKind> alarms;
   std::span<const CodeRow> codes;
-  std::span<const Parameter> parameters;      ///< its own machine-file keys
+  std::span<const Parameter> parameters;         ///< its own machine-file keys
+  std::span<const Parameter> shared;             ///< shared keys as it knows them: ranges, headings
+  std::span<const std::string_view> not_shared;  ///< shared keys that mean nothing to it
+  std::int32_t highest_tool = kHighestToolNumber;
   std::span<const DefaultOverride> defaults;  ///< its default machine
   std::string_view optional_stop_key;  ///< machine-file key that `--optional-stop` switches on; empty: none
   std::string_view block_skip_key;     ///< machine-file key that `--block-skip` switches on; empty: none
@@ -41,6 +44,9 @@ struct Dialect {
   bool (*is_subprogram)(const std::shared_ptr<const Source>&) = nullptr;
   /// Puts into the machine what keys of its own say of it; null: none do.
   void (*complete_machine)(const Settings&, Machine&) = nullptr;
+  /// What is wrong with the text of a program whether a block is reached or not, as far as it shows without
+  /// executing it; given with is_subprogram.
+  std::vector<Alarm> (*read_through)(const std::shared_ptr<const Source>&, const Machine&) = nullptr;
   /// Settings of its own that do not go together; null: all do.
   std::vector<SettingsError> (*contradictions)(const Settings&) = nullptr;
   std::shared_ptr<const BlockRules> (*rules)(const Settings&, const Machine&) = nullptr;

@@ -30,6 +30,29 @@ std::span<const std::string_view> sections_beside(std::string_view name) {
   return kBeside.at(name);
 }
 
+/// The keys that all dialects share, as a dialect knows them.
+std::vector<Parameter> shared_parameters(const Dialect& dialect) {
+  std::vector<Parameter> shared;
+  for (const Parameter& parameter : common_parameters()) {
+    const auto& absent = dialect.not_shared;
+    if (std::find(absent.begin(), absent.end(), parameter.key) != absent.end()) continue;
+    const auto own = std::find_if(dialect.shared.begin(), dialect.shared.end(),
+                                  [&](const Parameter& p) { return p.key == parameter.key; });
+    shared.push_back(own == dialect.shared.end() ? parameter : *own);
+  }
+  return shared;
+}
+
+/// Computed once: schemas refer to them.
+std::span<const Parameter> shared_parameters_of(std::string_view name) {
+  static const auto kShared = [] {
+    std::map<std::string_view, std::vector<Parameter>> shared;
+    for (const Dialect& dialect : dialects()) shared.emplace(dialect.name, shared_parameters(dialect));
+    return shared;
+  }();
+  return kShared.at(name);
+}
+
 }  // namespace
 
 std::span<const Dialect> dialects() {
@@ -53,8 +76,13 @@ const Dialect& detect_dialect(std::string_view file_name) {
 }
 
 Schema schema_of(const Dialect& dialect) {
-  return {common_parameters(),           dialect.parameters, dialect.defaults,
-          sections_beside(dialect.name), dialect.key_alarms, dialect.shared_names};
+  return {shared_parameters_of(dialect.name),
+          dialect.parameters,
+          dialect.defaults,
+          sections_beside(dialect.name),
+          dialect.key_alarms,
+          dialect.shared_names,
+          dialect.highest_tool};
 }
 
 }  // namespace kerf

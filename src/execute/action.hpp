@@ -39,10 +39,11 @@ inline constexpr Plane kPlaneXY{Axis::X, Axis::Y, Axis::Z};
 inline constexpr Plane kPlaneZX{Axis::Z, Axis::X, Axis::Y};
 inline constexpr Plane kPlaneYZ{Axis::Y, Axis::Z, Axis::X};
 
-/// An arc in a plane; every other axis moves linearly with the angle (helix).
+/// An arc in a plane; every other axis moves linearly with the angle (helix). Where the end of the move lies
+/// at another distance from the centre than its start, the radius changes evenly (spiral).
 struct Arc {
   std::array<double, 2> center{};  ///< machine coordinates of plane.first and plane.second, mm
-  double radius = 0.0;             ///< mm, > 0
+  double radius = 0.0;             ///< mm, > 0; of a spiral that of its start
   double sweep = 0.0;              ///< degrees, positive counter-clockwise seen from +third; may exceed 360
 };
 

@@ -25,7 +25,7 @@ void Interpreter::load(std::shared_ptr<const Source> source, const AxisVector& p
   queue_.clear();
   effects_ = {};
   blocks_ = 0;
-  finished_ = stopped_ = refused_ = false;
+  finished_ = stopped_ = refused_ = behind_alarm_ = return_refused_ = false;
   state_.registers.position = position;
   state_.registers.length_offset = state_.registers.length_applied = 0.0;
   rules_->begin_program(state_);
@@ -59,6 +59,11 @@ const Action* Interpreter::next() {
 void Interpreter::recover() {
   if (!stopped_) return;
   stopped_ = false;
+  behind_alarm_ = true;
+  if (std::exchange(return_refused_, false)) {
+    auto& flow = std::get<ProgramFlow>(feed_);
+    finished_ = flow.leave_program(state_.variables) == ProgramFlow::Result::over;
+  }
   if (!refused_ || !queue_.empty()) return;
   refused_ = false;
   queue_.begin(queue_.origin());
@@ -66,6 +71,7 @@ void Interpreter::recover() {
 }
 
 void Interpreter::execute_block() {
+  behind_alarm_ = false;
   const Registers& registers = state_.registers;
   queue_.begin({block_.span, ++blocks_, registers.program, registers.sequence_number});
   const BlockOutcome outcome = rules_->execute(block_, state_, queue_, effects_);
@@ -102,6 +108,11 @@ void Interpreter::read_block(BlockReader& reader) {
 void Interpreter::read_block(ProgramFlow& flow) {
   refused_ = false;
   ProgramFlow::Result result = next_block(flow);
+  if (result == ProgramFlow::Result::end && behind_alarm_) {
+    // The refused block may have been the one that ends the program: to miss that too would be a false alarm.
+    result = flow.leave_program(state_.variables);
+    if (result == ProgramFlow::Result::block) return;
+  }
   Registers& registers = state_.registers;
   registers.program = flow.program().number;
   if (flow.sequence_number() >= 0) registers.sequence_number = flow.sequence_number();
@@ -122,6 +133,8 @@ ProgramFlow::Result Interpreter::next_block(ProgramFlow& flow) {
   FlowRequest& request = effects_.flow;
   if (request.kind != FlowRequest::Kind::none) {
     const ProgramFlow::Result result = flow.carry_out(request, state_.variables);
+    const bool leaves = request.kind == FlowRequest::Kind::go_back;
+    return_refused_ = leaves && result == ProgramFlow::Result::fault;
     request.kind = FlowRequest::Kind::none;
     if (result != ProgramFlow::Result::block) return result;
   }

@@ -63,6 +63,8 @@ class Interpreter {
   bool finished_ = false;
   bool refused_ = false;  ///< the block read last gave an alarm
   bool stopped_ = false;
+  bool behind_alarm_ = false;    ///< no block was executed since the last alarm
+  bool return_refused_ = false;  ///< the block read last was to leave the program, and could not
 };
 
 }  // namespace kerf

@@ -34,8 +34,7 @@ ProgramFlow::Result ProgramFlow::next(Block& block, MacroVariables& variables) {
     Frame& frame = here();
     if (frame.next >= frame.program->statements.size()) {
       if (!frame.program->refused) return Result::end;
-      if (frames_.size() == 1) return Result::over;
-      leave(variables);
+      if (leave_program(variables) == Result::over) return Result::over;
       continue;
     }
     const Statement& statement = frame.program->statements[frame.next];
@@ -53,6 +52,12 @@ ProgramFlow::Result ProgramFlow::next(Block& block, MacroVariables& variables) {
         return Result::fault;
     }
   }
+}
+
+ProgramFlow::Result ProgramFlow::leave_program(MacroVariables& variables) {
+  if (frames_.size() == 1) return Result::over;
+  leave(variables);
+  return Result::block;
 }
 
 void ProgramFlow::leave(MacroVariables& variables) {

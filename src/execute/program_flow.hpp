@@ -81,6 +81,9 @@ class ProgramFlow {
   }
   /// Carries out what the block just executed asks for.
   Result carry_out(const FlowRequest& request, MacroVariables& variables);
+  /// A check goes on behind a block that should have left the present program: to the caller; `over` when it
+  /// is the main program.
+  Result leave_program(MacroVariables& variables);
   /// The program ends at this place: a fault when a loop around it has no END.
   Result finish();
 

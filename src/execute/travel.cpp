@@ -22,10 +22,10 @@ Extent extent_of(const Move& move) {
     extent.high.values[i] = std::max(move.start.values[i], move.end.values[i]);
   }
   const Vec2 center{move.arc.center[0], move.arc.center[1]};
-  CircularArc arc =
+  const CircularArc arc =
       arc_through({move.start[move.plane.first], move.start[move.plane.second]}, center, move.arc.sweep);
-  arc.radius = move.arc.radius;
-  const PlanarBox box = bounds_of(arc);
+  const PlanarBox box =
+      bounds_of(arc, distance(center, {move.end[move.plane.first], move.end[move.plane.second]}));
   // The box and the ends: within the arc tolerance the programmed end lies a little beside the arc.
   const auto take_in = [&extent](Axis axis, double low, double high) {
     extent.low[axis] = std::min(extent.low[axis], low);

@@ -1,5 +1,6 @@
 #include "geometry/arc_construction.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace kerf {
@@ -44,6 +45,20 @@ ArcResult arc_from_center(Vec2 start, Vec2 end, Vec2 center, bool clockwise, dou
       {corrected, distance(corrected, start), sweep_between(start - corrected, end - corrected, clockwise)},
       ArcFault::none,
       difference};
+}
+
+ArcResult spiral_from_center(Vec2 start, Vec2 end, Vec2 center, bool clockwise, double tolerance_mm) {
+  constexpr double kNoWay = 1e-6;  // mm, far below the least increment
+  const double start_radius = distance(center, start);
+  const double end_radius = distance(center, end);
+  if (std::min(start_radius, end_radius) <= kNoWay) return fault(ArcFault::zero_radius);
+  const double difference = std::abs(end_radius - start_radius);
+  if (difference > tolerance_mm + kSamePoint) return fault(ArcFault::radius_difference, difference);
+  const double turn = turn_deg(start - center, end - center);
+  const bool whole = radians(std::abs(turn)) * start_radius < kNoWay;
+  const double sweep =
+      whole ? (clockwise ? -360.0 : 360.0) : sweep_between(start - center, end - center, clockwise);
+  return {{center, start_radius, sweep}, ArcFault::none, difference};
 }
 
 ArcResult arc_from_radius(Vec2 start, Vec2 end, double signed_radius, bool clockwise, double tolerance_mm) {

@@ -18,7 +18,7 @@ struct PlanarArc {
 enum class ArcFault : std::uint8_t {
   none,
   radius_difference,  ///< start and end radius differ by more than the tolerance
-  zero_radius,        ///< the start lies on the centre, or R is 0
+  zero_radius,        ///< the start (of a spiral, the end) lies on the centre, or R is 0
   chord_too_long,     ///< R is shorter than half the chord by more than the tolerance
   end_equals_start,   ///< with R: the centre is anywhere
 };
@@ -40,6 +40,11 @@ struct ArcResult {
 /// difference of the radii. The more an arc nears a full circle, the further its far side moves for the same
 /// difference; where that exceeds four times the tolerance, the fault is radius_difference.
 ArcResult arc_from_center(Vec2 start, Vec2 end, Vec2 center, bool clockwise, double tolerance_mm);
+
+/// The same with the centre left where it is: the radius goes evenly from that of the start, which is the
+/// radius of the arc, to that of the end. Start and end in one direction from the centre, to 1e-6 mm, make a
+/// whole turn.
+ArcResult spiral_from_center(Vec2 start, Vec2 end, Vec2 center, bool clockwise, double tolerance_mm);
 
 /// The arc from start to end with a radius: up to 180 degrees when the radius is positive, more than 180
 /// degrees when it is negative. A radius shorter than half the chord by no more than the tolerance makes a

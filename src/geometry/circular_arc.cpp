@@ -36,18 +36,26 @@ double length_of(const CircularArc& arc) {
 }
 
 PlanarBox bounds_of(const CircularArc& arc) {
+  return bounds_of(arc, arc.radius);
+}
+
+PlanarBox bounds_of(const CircularArc& arc, double end_radius) {
   const Vec2 a = start_of(arc);
-  const Vec2 b = end_of(arc);
+  const Vec2 b = arc.center + end_radius * direction_at(arc.start_angle_deg + arc.sweep_deg);
   PlanarBox box{{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
   const double from = std::min(arc.start_angle_deg, arc.start_angle_deg + arc.sweep_deg);
   const double to = std::max(arc.start_angle_deg, arc.start_angle_deg + arc.sweep_deg);
-  const auto passes = [&](double angle_deg) {
-    return angle_deg + 360.0 * std::ceil((from - angle_deg) / 360.0) <= to;
+  // How far the curve reaches along an axis of the plane, 0 where it does not cross it.
+  const auto reach = [&](double angle_deg) {
+    const double crossing = angle_deg + 360.0 * std::ceil((from - angle_deg) / 360.0);
+    if (crossing > to) return 0.0;
+    const double part = arc.sweep_deg == 0.0 ? 0.0 : (crossing - arc.start_angle_deg) / arc.sweep_deg;
+    return arc.radius + (end_radius - arc.radius) * part;
   };
-  if (passes(0.0)) box.high.x = arc.center.x + arc.radius;
-  if (passes(90.0)) box.high.y = arc.center.y + arc.radius;
-  if (passes(180.0)) box.low.x = arc.center.x - arc.radius;
-  if (passes(270.0)) box.low.y = arc.center.y - arc.radius;
+  if (const double r = reach(0.0); r > 0.0) box.high.x = std::max(box.high.x, arc.center.x + r);
+  if (const double r = reach(90.0); r > 0.0) box.high.y = std::max(box.high.y, arc.center.y + r);
+  if (const double r = reach(180.0); r > 0.0) box.low.x = std::min(box.low.x, arc.center.x - r);
+  if (const double r = reach(270.0); r > 0.0) box.low.y = std::min(box.low.y, arc.center.y - r);
   return box;
 }
 

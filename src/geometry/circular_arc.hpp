@@ -38,5 +38,7 @@ double length_of(const CircularArc& arc);
 
 /// Bounds of all points of the arc, not only of its ends.
 PlanarBox bounds_of(const CircularArc& arc);
+/// The same for a spiral, whose radius goes evenly to `end_radius`, mm. Exact up to one turn.
+PlanarBox bounds_of(const CircularArc& arc, double end_radius);
 
 }  // namespace kerf

@@ -53,7 +53,9 @@ tl::expected<Machine, std::vector<SettingsError>> build_machine(const Settings& 
   for (const Axis axis : machine.axes) {
     machine.axis[index(axis)] = axis_settings(settings, axis);
     for (std::size_t i = 0; i < kOffsetKeys.size(); ++i) {
-      machine.work_offsets[i][axis] = settings.number(expanded(kOffsetKeys[i], axis));
+      const std::string key = expanded(kOffsetKeys[i], axis);
+      // A dialect may lack the external offset.
+      if (settings.find(key) != nullptr) machine.work_offsets[i][axis] = settings.number(key);
     }
   }
   for (const std::int32_t number : settings.tool_numbers()) {

@@ -65,7 +65,7 @@ Complaint unknown_key(const Settings& settings, const KeyPath& path, std::size_t
       return {"tool number 0 cannot be set", "compensation number 0 is always 0; number tools from 1"};
     }
     return {fmt::format("'{}' in '{}' is no tool number", segment, joined(path)),
-            fmt::format("tool numbers are 1 to {}, without leading zeros", kHighestToolNumber)};
+            fmt::format("tool numbers are 1 to {}, without leading zeros", settings.schema().highest_tool)};
   }
   const auto& foreign = settings.schema().foreign_sections;
   if (std::find(foreign.begin(), foreign.end(), path[0]) != foreign.end()) {

@@ -44,6 +44,7 @@ struct MotionSettings {
   double junction_deviation = 0.01;  ///< mm; 0: every corner is an exact stop
   double servo_gain = 60.0;          ///< 1/s, position loop of the simulated drives
   std::int32_t look_ahead = 1024;    ///< blocks
+  bool feed_of_all_axes = false;     ///< a feed is the speed of all axes together, not of X, Y and Z
 };
 
 inline constexpr std::size_t kWorkOffsetCount = 7;  ///< EXT, then G54 to G59

@@ -23,11 +23,14 @@ constexpr std::array kHeadings{
             "One table an axis: X Y Z A B C U V W. A file with any of these tables lists all axes of the\n"
             "machine. Rotary axes have degree wherever mm stands."},
     Heading{"offsets", "Work coordinate systems. Axes that are left out are 0."},
-    Heading{"tools.*", "Tools, by tool or compensation number (1 to 9999; number 0 is always 0)."},
     Heading{"motion", "Planning and simulation of the motion."},
 };
 
-std::string heading_of(std::string_view header, std::string_view dialect_name) {
+std::string heading_of(std::string_view header, const Schema& schema, std::string_view dialect_name) {
+  if (header == "tools.*") {
+    return fmt::format("Tools, by tool or compensation number (1 to {}; number 0 is always 0).",
+                       schema.highest_tool);
+  }
   for (const Heading& heading : kHeadings) {
     if (heading.table == header) return std::string(heading.text);
   }
@@ -100,7 +103,7 @@ class InitWriter {
       add_keys(table, {}, true);
       return;
     }
-    add_comment(out_, heading_of(table.header, dialect_name_));
+    add_comment(out_, heading_of(table.header, settings_.schema(), dialect_name_));
     if (!has_wildcard(table.header)) {
       out_ += fmt::format("[{}]\n", table.header);
       add_keys(table, {}, true);
@@ -127,7 +130,9 @@ class InitWriter {
     std::string_view group;
     for (const Parameter* parameter : table.parameters) {
       if (commented && parameter->group != group) {
-        out_ += fmt::format("{}# --- {} ---\n", group.empty() ? "" : "\n", parameter->group);
+        const bool first = parameter == table.parameters.front();
+        out_ += first ? "" : "\n";
+        if (!parameter->group.empty()) out_ += fmt::format("# --- {} ---\n", parameter->group);
         group = parameter->group;
       }
       const bool by_axis = parameter->key.ends_with(".*");
@@ -228,7 +233,10 @@ void add_shown_table(std::string& out, std::string_view header, const std::vecto
   if (!header.empty()) out += fmt::format("[{}]\n", header);
   std::string_view group;
   for (const ShownLine& line : lines) {
-    if (line.group != group) out += fmt::format("{}# {}\n", group.empty() ? "" : "\n", line.group);
+    if (line.group != group) {
+      if (&line != lines.data()) out += '\n';
+      if (!line.group.empty()) out += fmt::format("# {}\n", line.group);
+    }
     group = line.group;
     out +=
         fmt::format("{:<{}} = {:<{}}  # {}\n", line.name, name_width, line.value, value_width, line.comment);
@@ -257,6 +265,10 @@ std::string show_text(const Settings& settings) {
                      fmt::format("{}{}{}", unit, unit.empty() ? "" : ", ", origin_text(setting->origin))});
   }
   if (!lines.empty()) add_shown_table(out, header, lines);
+  if (settings.tool_numbers().empty()) {
+    out += fmt::format("\n[tools]\n# none of 1 to {} is set: every radius and length is 0\n",
+                       settings.schema().highest_tool);
+  }
   return out;
 }
 

@@ -78,6 +78,8 @@ KeyStep follow(const Schema& schema, const KeyPath& path) {
     const KeyStep step = follow(parameter, path);
     if (rank(step.kind) > rank(best.kind)) best = step;
   });
+  if (best.instance == Instance::tool && tool_of(path.back()).value_or(0) > schema.highest_tool)
+    return {KeyStep::Kind::not_a_tool};
   return best;
 }
 

@@ -14,6 +14,8 @@
 
 namespace kerf {
 
+inline constexpr std::int32_t kHighestToolNumber = 9999;
+
 /// By which alarm the controller knows a value that is out of range or does not go with others.
 struct KeyAlarm {
   std::string_view key;  ///< as declared: axes.*.number
@@ -29,7 +31,7 @@ struct SharedName {
 /// The declarations in force for one dialect. The tables must outlive everything made from them: static
 /// tables do.
 struct Schema {
-  std::span<const Parameter> common;          ///< usually common_parameters()
+  std::span<const Parameter> common;          ///< common_parameters(), or as a dialect knows them
   std::span<const Parameter> dialect;         ///< the dialect's own keys: melsec.system.arc_deviation
   std::span<const DefaultOverride> defaults;  ///< the dialect's default machine
   /// Top-level sections of the other dialects. A file may hold them; they are passed over unread, so that one
@@ -37,12 +39,11 @@ struct Schema {
   std::span<const std::string_view> foreign_sections;
   std::span<const KeyAlarm> alarms = {};
   std::span<const SharedName> shared_names = {};
+  std::int32_t highest_tool = kHighestToolNumber;  ///< number of a tool or compensation
 };
 
 /// A key cut at its dots: {"axes", "X", "rapid"}.
 using KeyPath = std::vector<std::string>;
-
-inline constexpr std::int32_t kHighestToolNumber = 9999;
 
 /// What the `*` of a declared key stands for.
 enum class Instance : std::uint8_t { none, axis, tool };

@@ -16,12 +16,14 @@ struct AxisLimits {
   AxisVector inverse_acceleration;  ///< s2/mm
   AxisVector inverse_feed;          ///< s/mm, of the highest cutting feed
   AxisVector inverse_rapid;         ///< s/mm
+  bool feed_of_all_axes = false;    ///< MotionSettings::feed_of_all_axes
   AxisSet followers;                ///< axes whose way is that of another: nothing of theirs counts
 };
 
 inline AxisLimits make_axis_limits(const Machine& machine, PathMode mode = PathMode::cutting) {
   AxisLimits limits;
   limits.followers = machine.followers();
+  limits.feed_of_all_axes = machine.motion.feed_of_all_axes;
   for (const Axis axis : machine.axes) {
     if (limits.followers.contains(axis)) continue;
     const AxisSettings& settings = machine[axis];

@@ -68,7 +68,8 @@ void set_line(PathSegment& segment, const Move& move, const AxisLimits& limits) 
   }
   const double inverse = 1.0 / segment.length;
   for (std::size_t i = 0; i < kAxisCount; ++i) segment.slope.values[i] = step.values[i] * inverse;
-  set_feed(segment, move, feed_length(move, step, segment.length_mm, segment.length));
+  const double together = limits.feed_of_all_axes ? std::sqrt(sum) : segment.length_mm;
+  set_feed(segment, move, feed_length(move, step, together, std::sqrt(sum)));
   segment.speed_limit =
       limit_along(segment.slope, segment.rapid ? limits.inverse_rapid : limits.inverse_feed);
   if (segment.rapid && move.feed > 0.0)

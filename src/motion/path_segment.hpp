@@ -11,7 +11,8 @@
 // Feeds are measured otherwise (`feed_length`):
 // - lines: along the X-Y-Z path; when none of these moves, along the path of the axes that do (degree/min for
 // a
-//   rotary axis alone);
+//   rotary axis alone); with MotionSettings::feed_of_all_axes along the path of all axes, degrees counted as
+//   mm (MELSEC 6.3);
 // - arcs and helices: along the circle in the plane (UNSPECIFIED row DGS-219, the rule of JIS controllers);
 // - with RotaryFeed (DGSHAPE 1-4, 2-5): the rotary axis turns at F / radius [rad/min], constant over the
 // block; when

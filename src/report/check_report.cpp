@@ -13,8 +13,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// A subprogram has its alarms in the row of the program that called it, unless they are about its file.
 std::string count_or_dash(const CheckedProgram& program, std::uint64_t count) {
-  return program.outcome == CheckOutcome::executed ? fmt::format("{}", count) : "-";
+  const bool own = program.outcome == CheckOutcome::executed || count > 0;
+  return own ? fmt::format("{}", count) : "-";
 }
 
 std::string outcome_text(const CheckedProgram& program) {
@@ -24,7 +26,7 @@ std::string outcome_text(const CheckedProgram& program) {
     case CheckOutcome::called:
       return "subprogram of " + program.caller;
     case CheckOutcome::not_called:
-      return "subprogram, not called: not checked";
+      return "subprogram, not called: only read";
     case CheckOutcome::unreadable:
       return program.message;
   }
@@ -77,6 +79,26 @@ Json rule_of(const AlarmKind& kind) {
           {"help", {{"text", kind.remedy}}}};
 }
 
+/// A test case is either skipped or has failed.
+bool is_skipped(const CheckedProgram& program) {
+  const bool sub = program.outcome == CheckOutcome::called || program.outcome == CheckOutcome::not_called;
+  return sub && program.alarms == 0;
+}
+
+/// What SARIF says of the run itself: the programs that could not be checked.
+Json invocation_of(std::span<const CheckedProgram> programs) {
+  Json notes = Json::array();
+  for (const CheckedProgram& program : programs) {
+    if (program.outcome != CheckOutcome::unreadable) continue;
+    Json location;
+    location["physicalLocation"]["artifactLocation"]["uri"] = uri_of(program.file);
+    notes.push_back({{"level", "error"},
+                     {"message", {{"text", program.message}}},
+                     {"locations", Json::array({std::move(location)})}});
+  }
+  return {{"executionSuccessful", notes.empty()}, {"toolExecutionNotifications", std::move(notes)}};
+}
+
 /// All alarms of a program in one element, since a test case fails once.
 void append_failure(const CheckedProgram& program, std::string& out) {
   const CheckFinding* first = nullptr;
@@ -103,6 +125,7 @@ std::string check_table(std::span<const CheckedProgram> programs) {
       fmt::format("{:<{}}  {:>8} {:>8} {:>10}  result\n", "program", width, "alarms", "warnings", "blocks");
   std::uint64_t faulty = 0;
   std::uint64_t unreadable = 0;
+  std::uint64_t only_read = 0;
   for (const CheckedProgram& program : programs) {
     const std::string name = visible_text(program.file);
     const auto padding = width - static_cast<std::size_t>(visible_width(program.file));
@@ -111,9 +134,11 @@ std::string check_table(std::span<const CheckedProgram> programs) {
                        count_or_dash(program, program.blocks), visible_text(outcome_text(program)));
     faulty += program.alarms > 0 ? 1 : 0;
     unreadable += program.outcome == CheckOutcome::unreadable ? 1 : 0;
+    only_read += program.outcome == CheckOutcome::not_called ? 1 : 0;
   }
   out += fmt::format("{} {}, {} with alarms", programs.size(), programs.size() == 1 ? "program" : "programs",
                      faulty == 0 ? "none" : fmt::format("{}", faulty));
+  if (only_read > 0) out += fmt::format(", {} only read", only_read);
   if (unreadable > 0) out += fmt::format(", {} not checked", unreadable);
   out += '\n';
   return out;
@@ -123,9 +148,7 @@ std::string junit_text(std::span<const CheckedProgram> programs) {
   const auto count = [&](auto matches) { return std::count_if(programs.begin(), programs.end(), matches); };
   const auto failures = count([](const CheckedProgram& p) { return p.alarms > 0; });
   const auto errors = count([](const CheckedProgram& p) { return p.outcome == CheckOutcome::unreadable; });
-  const auto skipped = count([](const CheckedProgram& p) {
-    return p.outcome == CheckOutcome::called || p.outcome == CheckOutcome::not_called;
-  });
+  const auto skipped = count(is_skipped);
   std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
   out += fmt::format(
       "<testsuites>\n<testsuite name=\"kerf check\" tests=\"{}\" failures=\"{}\" errors=\"{}\" "
@@ -135,7 +158,7 @@ std::string junit_text(std::span<const CheckedProgram> programs) {
     out += fmt::format("<testcase classname=\"kerf\" name=\"{}\">\n", xml_text(program.file));
     if (program.outcome == CheckOutcome::unreadable) {
       out += fmt::format("<error message=\"{}\"/>\n", xml_text(program.message));
-    } else if (program.outcome != CheckOutcome::executed) {
+    } else if (is_skipped(program)) {
       out += fmt::format("<skipped message=\"{}\"/>\n", xml_text(outcome_text(program)));
     }
     append_failure(program, out);
@@ -162,6 +185,7 @@ std::string sarif_text(std::span<const CheckedProgram> programs, std::string_vie
   Json run;
   run["tool"]["driver"] = {{"name", "kerf"}, {"version", version}, {"rules", std::move(rules)}};
   run["columnKind"] = "unicodeCodePoints";
+  run["invocations"] = Json::array({invocation_of(programs)});
   run["results"] = std::move(results);
   Json log;
   log["$schema"] = "https://json.schemastore.org/sarif-2.1.0.json";

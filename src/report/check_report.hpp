@@ -22,7 +22,7 @@ struct CheckFinding {
 enum class CheckOutcome : std::uint8_t {
   executed,
   called,      ///< a subprogram that a checked program called
-  not_called,  ///< a subprogram that none of them called: it was not executed
+  not_called,  ///< a subprogram that none of them called: its text was read and not executed
   unreadable,  ///< no program, or its machine is not one
 };
 
@@ -30,7 +30,7 @@ enum class CheckOutcome : std::uint8_t {
 struct CheckedProgram {
   std::string file;
   CheckOutcome outcome = CheckOutcome::executed;
-  std::string message;  ///< unreadable: that it is; why stands on standard error
+  std::string message;  ///< unreadable: why
   std::string caller;   ///< called: the first program that did
   std::vector<CheckFinding> findings;
   std::uint64_t blocks = 0;

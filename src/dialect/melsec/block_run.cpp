@@ -75,7 +75,7 @@ bool BlockRun::dwell() {
 }
 
 bool BlockRun::local_system() {
-  const auto system = static_cast<std::size_t>(registers.modal[Group::work_system] / 10 - 53);
+  const std::size_t system = work_system(registers);
   LocalSystem written{system, tables_.local_offsets[system]};
   AxisVector& local = written.offset;
   for (const Axis axis : words_.axes()) {

@@ -65,7 +65,7 @@ class BlockRun {
   bool arc_by_center(const Plane& plane, const AxisVector& target, bool clockwise, Arc& out);
   bool arc_by_radius(const Plane& plane, const AxisVector& target, bool clockwise, Arc& out, bool& nothing);
   bool targets(AxisVector& target);
-  double absolute_target(Axis axis, double from, double origin, double value) const;
+  double absolute_target(Axis axis, double from, double shown, double local, double value) const;
   bool absolute_first();
   bool feed_given_for(MoveMode mode);
   /// A move of the axes to `end` in machine coordinates.

@@ -137,6 +137,8 @@ void check_polar_rotary(ConfigurationCheck& check) {
   if (check.axis_named(kNormalLine) == axis) refuse_double(kNormalLine);
 }
 
+constexpr double kFastestPlanned = 999'999.0;  // mm/min, the most that pre_accel_max_speed can be
+
 /// One complaint for all axes: about the fastest of them, since that decides.
 void check_high_accuracy(ConfigurationCheck& check) {
   std::string fastest;
@@ -153,7 +155,9 @@ void check_high_accuracy(ConfigurationCheck& check) {
   if (fastest.empty()) return;
   check.refuse("0015H", {kMaxSpeed, fastest},
                fmt::format("{} is below {}", check.stated(kMaxSpeed), check.stated(fastest)),
-               fmt::format("raise '{}' to {} or more, up to 999999", kMaxSpeed, toml_text(Value(speed))));
+               speed <= kFastestPlanned
+                   ? fmt::format("raise '{}' to {} or more, up to 999999", kMaxSpeed, toml_text(Value(speed)))
+                   : fmt::format("lower '{}' to 999999 or less, and raise '{}' to it", fastest, kMaxSpeed));
 }
 
 /// Duties that a slave axis cannot have beside its master.

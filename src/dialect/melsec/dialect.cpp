@@ -4,6 +4,7 @@
 #include "dialect/melsec/codes.hpp"
 #include "dialect/melsec/compile.hpp"
 #include "dialect/melsec/configuration.hpp"
+#include "dialect/melsec/read_through.hpp"
 #include "dialect/melsec/rules.hpp"
 #include "dialect/melsec/settings.hpp"
 
@@ -15,6 +16,7 @@ std::shared_ptr<const BlockRules> make_rules(const Settings& settings, const Mac
 }
 
 void complete_machine(const Settings& settings, Machine& machine) {
+  machine.motion.feed_of_all_axes = true;
   for (const Axis axis : machine.axes) {
     AxisSettings& own = machine.axis[index(axis)];
     own.high_accuracy_rapid = settings.number(expanded("melsec.axis.*.high_accuracy_rapid_speed", axis));
@@ -54,6 +56,9 @@ Dialect dialect() {
   d.alarms = alarm_catalogue();
   d.codes = code_table();
   d.parameters = parameters();
+  d.shared = shared_parameters();
+  d.not_shared = keys_not_shared();
+  d.highest_tool = kCompensations;
   d.defaults = default_machine();
   d.key_alarms = key_alarms();
   d.shared_names = shared_names();
@@ -63,6 +68,7 @@ Dialect dialect() {
   d.complete_machine = complete_machine;
   d.contradictions = contradictions;
   d.is_subprogram = is_subprogram;
+  d.read_through = read_through;
   d.rules = make_rules;
   d.feed_policy = feed_policy;
   d.toolpath_policy = toolpath_policy;

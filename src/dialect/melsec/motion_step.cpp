@@ -26,13 +26,15 @@ double length_of(const Move& move) {
 
 /// An absolute value of a rotation axis of type 0 leaves out whole turns, one of type 1 takes the shorter way
 /// (4.2, rotation axis type). Positions run on over the turns, but the way is the one from the position that
-/// is shown, from 0 to 359.9999 degrees; `origin` is that of the coordinate system it is shown in.
-double BlockRun::absolute_target(Axis axis, double from, double origin, double value) const {
+/// is shown, from 0 to 359.9999 degrees; `shown` is the origin of the coordinate system it is shown in, and
+/// `local` lies between that and the one the value is meant in (5.6 G52: a local position is the one shown
+/// less the local offset).
+double BlockRun::absolute_target(Axis axis, double from, double shown, double local, double value) const {
   const ControllerSettings& settings = rules_.settings();
-  if (!settings.endless.contains(axis)) return on_grid(origin + value);
-  double here = std::fmod(on_grid(from - origin), 360.0);
+  if (!settings.endless.contains(axis)) return on_grid(shown + local + value);
+  double here = std::fmod(on_grid(from - shown), 360.0);
   if (here < 0.0) here += 360.0;
-  double way = std::fmod(on_grid(value - here), 360.0);
+  double way = std::fmod(on_grid(value + local - here), 360.0);
   if (settings.shortest.contains(axis)) {
     if (way > 180.0) way -= 360.0;
     if (way <= -180.0) way += 360.0;
@@ -41,13 +43,16 @@ double BlockRun::absolute_target(Axis axis, double from, double origin, double v
 }
 
 bool BlockRun::targets(AxisVector& target) {
-  const AxisVector origin = workpiece_origin(registers, tables_);
+  const std::size_t system = work_system(registers);
+  const AxisVector& origin = tables_.work_offsets[system];
+  const AxisVector& local = tables_.local_offsets[system];
   for (const Axis axis : words_.axes()) {
     const AxisWord& word = words_.axis(axis);
     double value = 0.0;
     if (!accept(*word.word, position_of(*word.word), value)) return false;
-    target[axis] = word.incremental ? on_grid(registers.position[axis] + value)
-                                    : absolute_target(axis, registers.position[axis], origin[axis], value);
+    target[axis] = word.incremental
+                       ? on_grid(registers.position[axis] + value)
+                       : absolute_target(axis, registers.position[axis], origin[axis], local[axis], value);
   }
   return true;
 }
@@ -139,7 +144,7 @@ bool BlockRun::machine_move() {
     if (!accept(*word.word, position_of(*word.word), value)) return false;
     // In G91 the value is an increment like any other.
     end[axis] = word.incremental ? on_grid(end[axis] - placement.length_taken[axis] + value)
-                                 : absolute_target(axis, end[axis], 0.0, value);
+                                 : absolute_target(axis, end[axis], 0.0, 0.0, value);
   }
   if (!absolute_first()) return false;
   const MoveMode mode = registers.modal[Group::motion] == code(0) ? MoveMode::rapid : MoveMode::linear;
@@ -216,7 +221,10 @@ bool BlockRun::arc_by_center(const Plane& plane, const AxisVector& target, bool 
   Vec2 center;
   if (!arc_center(plane, start, center)) return false;
   const ArcResult result =
-      arc_from_center(start, end, center, clockwise, rules_.settings().arc_deviation + 1e-9);
+      spiral_from_center(start, end, center, clockwise, rules_.settings().arc_deviation + 1e-9);
+  if (result.fault == ArcFault::zero_radius) {
+    return refuse("0313H", block_.span, "The centre of the arc is its own start or end: it has no radius.");
+  }
   if (result.fault != ArcFault::none) {
     return refuse("0313H", block_.span,
                   FixedText<200>::format("The radius at the start and at the end of the arc differ by {:.4f} "

@@ -150,7 +150,10 @@ AxisVector Rules::work_origin(const State& state) const {
 AxisVector Rules::work_position(const State& state) const {
   // In the coordinates before rotation (5.6 G68, program target position).
   const Placement& placement = state.registers.placement;
-  return shown(placement.machine - placement.length_taken - work_origin(state));
+  const std::size_t system = work_system(state.registers);
+  const AxisVector position =
+      shown(placement.machine - placement.length_taken - state.tables.work_offsets[system]);
+  return position - state.tables.local_offsets[system];
 }
 
 AxisVector Rules::shown(AxisVector position) const {
@@ -162,7 +165,7 @@ AxisVector Rules::shown(AxisVector position) const {
 }
 
 AxisVector workpiece_origin(const Registers& registers, const Tables& tables) {
-  const auto system = static_cast<std::size_t>(registers.modal[Group::work_system] / 10 - 53);
+  const std::size_t system = work_system(registers);
   AxisVector origin = tables.work_offsets[system];
   origin += tables.local_offsets[system];
   return origin;

@@ -49,6 +49,11 @@ class Rules final : public BlockRules {
   LineAxes line_;
 };
 
+/// 1 for G54 to 6 for G59.
+inline std::size_t work_system(const Registers& registers) {
+  return static_cast<std::size_t>(registers.modal[Group::work_system] / 10 - 53);
+}
+
 /// Offset of the selected work coordinate system, the local coordinate system in it included.
 AxisVector workpiece_origin(const Registers& registers, const Tables& tables);
 

@@ -33,6 +33,10 @@ struct ControllerSettings {
 };
 
 std::span<const Parameter> parameters();
+/// Keys that all dialects share, with the ranges and under the headings of the manual.
+std::span<const Parameter> shared_parameters();
+/// Shared keys of which the manual knows nothing.
+std::span<const std::string_view> keys_not_shared();
 std::span<const DefaultOverride> default_machine();
 /// The details codes of values that single keys, shared ones too, cannot have.
 std::span<const KeyAlarm> key_alarms();
