@@ -246,5 +246,46 @@ TEST_F(CheckFolder, AFileThatIsNoProgramIsNamedInEveryOutput) {
   EXPECT_EQ(invocation.at("toolExecutionNotifications").size(), 1U);
 }
 
+TEST_F(CheckFolder, AProgramThatGoesBackIsCheckedUntilItEnds) {
+  program("O001.gcd", "#100=#100+1\nIF[#100EQ3]GOTO10\nG04P1\nM99\nN10G28X0.\nM02\n");
+  const Outcome outcome = kerf(
+      "check --set melsec.system.common_system_points=100 "
+      "--set melsec.system.common_system_start_device=D2000 store/O001.gcd");
+  EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.err;
+  EXPECT_NE(outcome.out.find("O001.gcd:6:4: alarm 1FC3H 0307H"), std::string::npos) << outcome.out;
+}
+
+TEST_F(CheckFolder, AnAlarmInALoopIsToldOnce) {
+  program("O001.gcd", "WHILE[#1LT1000]DO1\nG04P1Q5.\n#1=#1+1\nEND1\nG28\nM02\n");
+  const Outcome outcome = kerf("check --set melsec.system.local_start_device=D7000 store");
+  EXPECT_NE(outcome.out.find("O001.gcd: 2 alarms"), std::string::npos) << outcome.out;
+}
+
+TEST_F(CheckFolder, NamesThatTheControllerDoesNotKnowAreTold) {
+  program("O001.gcd", "G04P1\nM02\n");
+  program("O257.gcd", "G04P1\nM02\n");
+  program("O002.GCD", "G04P1\nM02\n");
+  const Outcome outcome = kerf("check --set melsec.system.arc_deviation=0.02 store");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.find("good; not one of O001.gcd to O256.gcd"), outcome.out.find("good; not one"))
+      << outcome.out;
+  EXPECT_NE(outcome.out.find("store/O257.gcd         0        0          2  good; not one of"),
+            std::string::npos)
+      << outcome.out;
+  EXPECT_NE(outcome.out.find("store/O002.GCD         0        0          2  good; not one of"),
+            std::string::npos)
+      << outcome.out;
+}
+
+TEST_F(CheckFolder, AZeroByteIsNoEndOfABlock) {
+  using namespace std::string_literals;
+  program("O001.gcd", "M98P2\nM02\n");
+  program("O002.gcd", "G91G00X1.\0G28\nM99\n"s);
+  EXPECT_NE(kerf("check store/O001.gcd").out.find("1FC0H 0040H"), std::string::npos);
+  const std::string long_comment = "(" + std::string(5000, 'x') + "\n";
+  program("O003.gcd", long_comment + "G91G00X1.\0G28\nM02\n"s);
+  EXPECT_NE(kerf("check store/O003.gcd").out.find("O003.gcd:3:10: alarm 1FC3H 0305H"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace kerf

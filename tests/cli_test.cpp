@@ -245,6 +245,9 @@ TEST_F(CommandLine, AlarmsAndCodes) {
   EXPECT_NE(kerf("alarms").out.find("arc-radius"), std::string::npos);
   EXPECT_EQ(kerf("alarms arc-radius").status, 0);
   EXPECT_EQ(kerf("alarms no-such-alarm").status, 2);
+  // Without a dialect asked for, that of any controller.
+  EXPECT_EQ(kerf("alarms 0313H").status, 0);
+  EXPECT_EQ(kerf("alarms --dialect dgshape 0313H").status, 2);
   EXPECT_NE(kerf("codes").out.find("G83"), std::string::npos);
   std::istringstream lines(kerf("codes --json").out);
   std::string line;

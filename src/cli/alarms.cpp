@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <memory>
 #include <unistd.h>
+#include <vector>
 
 #include "base/edit_distance.hpp"
 #include "cli/commands.hpp"
@@ -20,6 +21,16 @@ std::string proposal(std::string_view code, std::span<const AlarmKind> alarms) {
   return fmt::format("did you mean {}? `kerf alarms` lists them all", near);
 }
 
+/// The alarm of that name in the dialect asked for; without one asked for, in any that has it.
+std::vector<const AlarmKind*> find_anywhere(const AlarmsOptions& options, const Dialect& dialect) {
+  auto found = find_alarms(dialect.alarms, *options.code);
+  if (!found.empty() || options.common.dialect || options.common.machine_file) return found;
+  for (const Dialect& other : dialects()) {
+    for (const AlarmKind* kind : find_alarms(other.alarms, *options.code)) found.push_back(kind);
+  }
+  return found;
+}
+
 }  // namespace
 
 int alarms_command(const AlarmsOptions& options) {
@@ -32,7 +43,7 @@ int alarms_command(const AlarmsOptions& options) {
     out.flush();
     return out.good() ? kExitGood : kExitUsage;
   }
-  const auto found = find_alarms(dialect.alarms, *options.code);
+  const auto found = find_anywhere(options, dialect);
   if (found.empty()) {
     print_error(fmt::format("{} has no alarm '{}'", dialect.title, *options.code),
                 proposal(*options.code, dialect.alarms));

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <tuple>
 #include <unistd.h>
 
 #include "cli/commands.hpp"
@@ -27,13 +28,17 @@ namespace {
 /// A program and what its check gave.
 struct Check {
   CheckedProgram result;
-  std::string text;              ///< the diagnostics and a line with their number
+  std::string text;  ///< the diagnostics and a line with their number
+  std::set<std::tuple<std::string, std::uint64_t, const AlarmKind*>> known;  ///< alarms, by their places
   std::set<std::string> called;  ///< files of the subprograms it called
   const Dialect* dialect = nullptr;
   std::uint64_t bytes = 0;
   std::shared_ptr<const Source> source;  ///< of a subprogram that is left to its callers
   Machine machine;                       ///< and its machine
 };
+
+/// A main program begins anew so often at most. It may well end by itself after some rounds.
+constexpr std::uint32_t kRounds = 100;
 
 struct Work {
   std::string file;
@@ -72,6 +77,9 @@ class Checker {
       return check;
     }
     check.dialect = prepared->controller.dialect;
+    if (in_folder && check.dialect->is_stored != nullptr && !check.dialect->is_stored(file)) {
+      check.result.remark = fmt::format("not one of {}", check.dialect->store_names);
+    }
     check.bytes = prepared->source->text().size();
     const auto is_subprogram = prepared->controller.dialect->is_subprogram;
     if (in_folder && is_subprogram != nullptr && is_subprogram(prepared->source)) {
@@ -108,8 +116,8 @@ class Checker {
 
   void execute(Prepared& prepared, Check& check) const {
     watch_calls(prepared.controller.interpreter_options.programs, check.called);
-    // A main program that ends with M99 would begin anew for ever.
-    prepared.controller.interpreter_options.most_restarts = 0;
+    // A main program that goes back with M99 may begin anew for ever.
+    prepared.controller.interpreter_options.most_restarts = kRounds;
     const Source& source = *prepared.source;
     auto job = std::make_unique<Job>(prepared.controller, prepared.source);
     std::optional<ProgressLine> progress;
@@ -130,13 +138,19 @@ class Checker {
       if (stops_program(*alarm)) job->recover();
     }
     result.blocks = job->interpreter().blocks();
+    if (job->interpreter().began_too_often()) {
+      result.remark = fmt::format("begins anew for ever, {} rounds checked", kRounds);
+    }
     append_visible(check.text, source.name());
-    check.text += fmt::format(": {}, {}, {} executed\n", count_text(result.alarms, "alarm", "alarms"),
+    check.text += fmt::format(": {}, {}, {} executed{}{}\n", count_text(result.alarms, "alarm", "alarms"),
                               count_text(result.warnings, "warning", "warnings"),
-                              count_text(result.blocks, "block", "blocks"));
+                              count_text(result.blocks, "block", "blocks"), result.remark.empty() ? "" : "; ",
+                              result.remark);
   }
 
+  /// Each alarm once for each place, however often a loop comes by.
   void note(const Source& place, const Alarm& alarm, Check& check) const {
+    if (!check.known.emplace(place.name(), alarm.span.offset, alarm.kind).second) return;
     (stops_program(alarm) ? check.result.alarms : check.result.warnings) += 1;
     append_diagnostic(check.text, place.name(), place.text(), alarm, style_);
     check.text += '\n';

@@ -1,5 +1,6 @@
 // kerf codes: every word the dialect knows.
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -26,12 +27,18 @@ void append_codes_json(std::string& out, const Dialect& dialect) {
 
 void append_codes_text(std::string& out, const Dialect& dialect) {
   out += fmt::format("{}: every word\n", dialect.title);
+  std::size_t words = 0;
+  std::size_t names = 0;
+  for (const CodeRow& row : dialect.codes) {
+    words = std::max(words, row.word.size());
+    names = std::max(names, row.name.size());
+  }
   std::string_view group = "?";
   for (const CodeRow& row : dialect.codes) {
     const std::string_view heading = row.group_name.empty() ? row.modality : row.group_name;
     if (heading != group) out += fmt::format("\n{}\n", heading);
     group = heading;
-    out += fmt::format("  {:<6}{:<42}{}\n", row.word, row.name, row.format);
+    out += fmt::format("  {:<{}}  {:<{}}  {}\n", row.word, words, row.name, names, row.format);
   }
 }
 

@@ -65,7 +65,8 @@ ProgramTexts programs_in(const std::filesystem::path& folder) {
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored)) return {};
     auto source = Source::open(file.string());
-    return source ? ProgramText{*source} : ProgramText{Source::from_text(file.string(), ""), true};
+    const bool good = source && (*source)->text().find('\0') == std::string_view::npos;
+    return good ? ProgramText{*source} : ProgramText{Source::from_text(file.string(), ""), true};
   };
 }
 

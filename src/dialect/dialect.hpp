@@ -35,8 +35,10 @@ struct Dialect {
   std::span<const KeyAlarm> key_alarms;      ///< its alarms for bad values of single keys
   std::span<const SharedName> shared_names;  ///< its manual's names of shared keys
 
-  std::uint64_t store_bytes = 0;          ///< of all its programs in one store; 0: no limit
-  const AlarmKind* store_over = nullptr;  ///< they are larger; must be given with a limit
+  std::string_view store_names;  ///< how files of its store are called, for people; empty: as one likes
+  bool (*is_stored)(std::string_view file_name) = nullptr;  ///< given with store_names
+  std::uint64_t store_bytes = 0;                            ///< of all its programs in one store; 0: no limit
+  const AlarmKind* store_over = nullptr;                    ///< they are larger; must be given with a limit
 
   /// Sets the defaults that follow from other settings, once these are all known; null: there are none.
   void (*complete)(Settings&) = nullptr;
@@ -60,8 +62,8 @@ std::span<const Dialect> dialects();
 /// The dialect of that name, or null.
 const Dialect* find_dialect(std::string_view name);
 
-/// The dialect a program is written in, judged by the extension of its name; without one that tells, the
-/// first dialect that has none, whose alarms say what is wrong with a text that is no program.
+/// The dialect a program is written in, judged by the extension of its name in any case; without one that
+/// tells, the first dialect that has none, whose alarms say what is wrong with a text that is no program.
 const Dialect& detect_dialect(std::string_view file_name);
 
 /// Every machine-file key of a dialect.

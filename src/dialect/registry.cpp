@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <string>
 #include <vector>
 
 #include "dialect/dgshape/dialect.hpp"
@@ -68,8 +69,11 @@ const Dialect* find_dialect(std::string_view name) {
 
 const Dialect& detect_dialect(std::string_view file_name) {
   const auto all = dialects();
+  std::string name(file_name);
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   const auto named = std::find_if(all.begin(), all.end(), [&](const Dialect& d) {
-    return !d.file_extension.empty() && file_name.ends_with(d.file_extension);
+    return !d.file_extension.empty() && name.ends_with(d.file_extension);
   });
   if (named != all.end()) return *named;
   return *std::find_if(all.begin(), all.end(), [](const Dialect& d) { return d.file_extension.empty(); });

@@ -126,7 +126,7 @@ void Interpreter::read_block(ProgramFlow& flow) {
   // What a block gave that ends the program inside an open loop goes back: the alarm is all there is.
   queue_.roll_back();
   queue_.begin({flow.span(), blocks_, registers.program, registers.sequence_number});
-  queue_.push<Alarm>() = {flow.fault().kind, flow.fault().span, {}, {}};
+  queue_.push<Alarm>() = alarm_from(flow.fault());
 }
 
 ProgramFlow::Result Interpreter::next_block(ProgramFlow& flow) {

@@ -42,6 +42,12 @@ class Interpreter {
   std::shared_ptr<const Source> source_of(std::int32_t program) const;
   /// Blocks executed so far.
   std::uint32_t blocks() const { return blocks_; }
+  /// It ended because the main program would have begun anew once more than
+  /// InterpreterOptions::most_restarts.
+  bool began_too_often() const {
+    const auto* flow = std::get_if<ProgramFlow>(&feed_);
+    return flow != nullptr && flow->began_too_often();
+  }
 
  private:
   void limit_rounds();

@@ -46,11 +46,23 @@ ProgramFlow::Result ProgramFlow::next(Block& block, MacroVariables& variables) {
       case Step::on:
         break;
       case Step::block:
+        block_given_ = true;
         return Result::block;
       case Step::fault:
-        skip_block();
+        go_behind_fault(statement);
         return Result::fault;
     }
+  }
+}
+
+/// A loop whose condition cannot be told is passed over, lest its END be judged as well.
+void ProgramFlow::go_behind_fault(const Statement& statement) {
+  Frame& frame = here();
+  const bool loop = statement.kind == StatementKind::while_do && statement.jump != kNoStatement;
+  if (loop && range_of(frame.program->loops, statement.loop).closed()) {
+    frame.next = statement.jump;
+  } else {
+    skip_block();
   }
 }
 
@@ -106,12 +118,19 @@ ProgramFlow::Step ProgramFlow::execute(const Statement& statement, Block& block,
 }
 
 ProgramFlow::Step ProgramFlow::fail(FlowFault fault) {
-  fault_ = {alarms_[static_cast<std::size_t>(fault)], span_};
+  const FlowAlarm& alarm = alarms_[static_cast<std::size_t>(fault)];
+  fault_ = {alarm.kind, span_, alarm.message, alarm.remedy};
   return Step::fault;
 }
 
 ProgramFlow::Result ProgramFlow::refuse(FlowFault fault) {
   fail(fault);
+  return Result::fault;
+}
+
+ProgramFlow::Result ProgramFlow::refuse(FlowFault fault, const SourceSpan& place) {
+  fail(fault);
+  fault_.span = place;
   return Result::fault;
 }
 
@@ -176,7 +195,9 @@ ProgramFlow::Step ProgramFlow::assign(const Statement& statement, MacroVariables
 }
 
 bool ProgramFlow::count_round() {
-  return ++rounds_ <= most_rounds_;
+  constexpr std::uint32_t kWithBlocks = 10;  // executing a block takes so much longer than a statement
+  rounds_ += std::exchange(block_given_, false) ? kWithBlocks : 1;
+  return rounds_ <= most_rounds_;
 }
 
 ProgramFlow::Step ProgramFlow::jump(StatementIndex target) {
@@ -294,15 +315,15 @@ ProgramFlow::Result ProgramFlow::call(const FlowRequest& request, MacroVariables
   const bool macro = request.kind == FlowRequest::Kind::macro_call;
   if (request.repetitions <= 0) return Result::block;
   if (!count_round()) return refuse(FlowFault::endless);
-  if (macro && macro_depth() >= kMacroCalls) return refuse(FlowFault::macro_depth);
-  if (frames_.full()) return refuse(FlowFault::call_depth);
+  if (macro && macro_depth() >= kMacroCalls) return refuse(FlowFault::macro_depth, request.place);
+  if (frames_.full()) return refuse(FlowFault::call_depth, request.place);
   auto called =
       request.program < 0 || request.program == program().number ? here().program : finder_(request.program);
-  if (called == nullptr) return refuse(FlowFault::no_program);
+  if (called == nullptr) return refuse(FlowFault::no_program, request.place);
   StatementIndex entry = 0;
   if (request.sequence_number > 0 && !called->refused) {
     entry = called->find_first(request.sequence_number);
-    if (entry == kNoStatement) return refuse(FlowFault::no_sequence_number);
+    if (entry == kNoStatement) return refuse(FlowFault::no_sequence_number, request.place);
   }
   if (macro) {
     if (request.given != 0 && variables.find(1.0) == nullptr) return refuse(FlowFault::no_variable);
@@ -339,9 +360,9 @@ ProgramFlow::Result ProgramFlow::go_back(const FlowRequest& request, MacroVariab
   StatementIndex target = main ? 0 : target_frame.next;
   if (request.sequence_number > 0) {
     target = target_frame.program->find_label(request.sequence_number, target_frame.call);
-    if (target == kNoStatement) return refuse(FlowFault::no_sequence_number);
+    if (target == kNoStatement) return refuse(FlowFault::no_sequence_number, request.place);
     leave_loops(target_frame, target_frame.call);
-    if (!may_jump_to(target_frame, target)) return refuse(FlowFault::jump_into_loop);
+    if (!may_jump_to(target_frame, target)) return refuse(FlowFault::jump_into_loop, request.place);
   }
   if (main && target <= frame.next && ++restarts_ > most_restarts_) return Result::over;
   if (!main) {

@@ -25,6 +25,7 @@ struct FlowRequest {
     go_back,     ///< to the caller; in the main program to its start
   };
   Kind kind = Kind::none;
+  SourceSpan place;                  ///< what asks for it
   std::int32_t program = -1;         ///< to be called; -1: the one that is running
   std::int32_t sequence_number = 0;  ///< where to start or go on; 0: the start, or behind the call
   std::int32_t repetitions = 1;      ///< 0: none
@@ -50,8 +51,15 @@ enum class FlowFault : std::uint8_t {
 };
 inline constexpr std::size_t kFlowFaults = 12;
 
-/// The dialect's alarm for each fault, in the order of FlowFault.
-using FlowAlarms = std::array<const AlarmKind*, kFlowFaults>;
+/// The dialect's alarm for a fault. Texts are literals; empty ones: those of the kind.
+struct FlowAlarm {
+  const AlarmKind* kind = nullptr;
+  std::string_view message = {};
+  std::string_view remedy = {};
+};
+
+/// In the order of FlowFault.
+using FlowAlarms = std::array<FlowAlarm, kFlowFaults>;
 
 /// A value: a copy is a restart point. Allocates only when a program is called for the first time.
 class ProgramFlow {
@@ -60,7 +68,8 @@ class ProgramFlow {
   static constexpr std::size_t kMacroCalls = MacroVariables::kLevels - 1;
   static constexpr std::size_t kLoops = 27;   ///< nested, over all programs
   static constexpr std::size_t kRanges = 10;  ///< IFs nested in one program
-  /// Jumps back, repetitions and calls after which a program counts as endless: seconds of work.
+  /// Jumps back, repetitions and calls after which a program counts as endless, ten times as many as with
+  /// blocks for the block rules between them: seconds of work.
   static constexpr std::uint32_t kMostRounds = 100'000'000;
 
   enum class Result : std::uint8_t {
@@ -79,6 +88,8 @@ class ProgramFlow {
     most_rounds_ = most_rounds;
     most_restarts_ = most_restarts;
   }
+  /// The main program would have begun anew once more than that.
+  bool began_too_often() const { return restarts_ > most_restarts_; }
   /// Carries out what the block just executed asks for.
   Result carry_out(const FlowRequest& request, MacroVariables& variables);
   /// A check goes on behind a block that should have left the present program: to the caller; `over` when it
@@ -124,6 +135,7 @@ class ProgramFlow {
   Result go_back(const FlowRequest& request, MacroVariables& variables);
   Step fail(FlowFault fault);
   Result refuse(FlowFault fault);
+  Result refuse(FlowFault fault, const SourceSpan& place);
   bool inside_unclosed_loop() const;
   bool may_jump_to(const Frame& frame, StatementIndex target) const;
   void leave_ranges(StatementIndex statement);
@@ -131,6 +143,7 @@ class ProgramFlow {
   std::size_t loop_depth() const;
   std::size_t macro_depth() const;
   void skip_block();
+  void go_behind_fault(const Statement& statement);
   /// Goes back to the caller of the present program.
   void leave(MacroVariables& variables);
   Frame& here() { return frames_.back(); }
@@ -139,11 +152,12 @@ class ProgramFlow {
   ProgramFinder finder_;
   FlowAlarms alarms_;
   std::uint32_t rounds_ = 0;
+  bool block_given_ = false;  ///< since the last round
   std::uint32_t most_rounds_ = kMostRounds;
   std::uint32_t restarts_ = 0;  ///< times the main program went back by itself
   std::uint32_t most_restarts_ = 0xFFFFFFFF;
   StatementFault fault_;
-  SourceSpan span_;
+  SourceSpan span_{0, 1, 1, 1};
   std::int32_t sequence_number_ = -1;
 };
 

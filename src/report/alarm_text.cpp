@@ -17,7 +17,7 @@ std::string_view severity_word(Severity severity) {
   return severity == Severity::warning ? "warning" : "alarm";
 }
 
-void append_alarm_json(std::string& out, const Alarm& alarm) {
+void append_alarm_json(std::string& out, const Alarm& alarm, std::int32_t program) {
   const auto text = [&out](std::string_view key, std::string_view value) {
     out += ",\"";
     out += key;
@@ -30,6 +30,10 @@ void append_alarm_json(std::string& out, const Alarm& alarm) {
   text("code", alarm.kind->code);
   text("detail", alarm.kind->detail);
   text("name", alarm.kind->name);
+  if (program >= 0) {
+    out += ",\"program\":";
+    append_integer(out, program);
+  }
   out += ",\"line\":";
   append_integer(out, alarm.span.line);
   out += ",\"column\":";

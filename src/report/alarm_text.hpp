@@ -16,6 +16,7 @@ std::string short_name(const AlarmKind& kind);
 std::string_view severity_word(Severity severity);
 
 /// Appends {"event":"alarm",...} with the keys of an alarm line of `kerf path --json`, without a line end.
-void append_alarm_json(std::string& out, const Alarm& alarm);
+/// `program` is the number of the program it is about; -1: none.
+void append_alarm_json(std::string& out, const Alarm& alarm, std::int32_t program = -1);
 
 }  // namespace kerf

@@ -33,6 +33,10 @@ std::string outcome_text(const CheckedProgram& program) {
   return {};
 }
 
+std::string result_text(const CheckedProgram& program) {
+  return outcome_text(program) + (program.remark.empty() ? "" : "; " + program.remark);
+}
+
 std::string visible_text(std::string_view text) {
   std::string result;
   append_visible(result, text);
@@ -131,7 +135,7 @@ std::string check_table(std::span<const CheckedProgram> programs) {
     const auto padding = width - static_cast<std::size_t>(visible_width(program.file));
     out += fmt::format("{}{:{}}  {:>8} {:>8} {:>10}  {}\n", name, "", padding,
                        count_or_dash(program, program.alarms), count_or_dash(program, program.warnings),
-                       count_or_dash(program, program.blocks), visible_text(outcome_text(program)));
+                       count_or_dash(program, program.blocks), visible_text(result_text(program)));
     faulty += program.alarms > 0 ? 1 : 0;
     unreadable += program.outcome == CheckOutcome::unreadable ? 1 : 0;
     only_read += program.outcome == CheckOutcome::not_called ? 1 : 0;

@@ -31,6 +31,7 @@ struct CheckedProgram {
   std::string file;
   CheckOutcome outcome = CheckOutcome::executed;
   std::string message;  ///< unreadable: why
+  std::string remark;   ///< what else is to be said of it
   std::string caller;   ///< called: the first program that did
   std::vector<CheckFinding> findings;
   std::uint64_t blocks = 0;

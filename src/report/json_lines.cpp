@@ -104,8 +104,8 @@ void write_event(const Origin& origin, const End&, std::string& out) {
   close_with_line(origin, out);
 }
 
-void write_event(const Origin&, const Alarm& alarm, std::string& out) {
-  append_alarm_json(out, alarm);
+void write_event(const Origin& origin, const Alarm& alarm, std::string& out) {
+  append_alarm_json(out, alarm, origin.program);
 }
 
 }  // namespace

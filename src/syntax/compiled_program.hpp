@@ -58,7 +58,13 @@ struct StatementRange {
 struct StatementFault {
   const AlarmKind* kind = nullptr;
   SourceSpan span;
+  std::string_view message = {};  ///< a literal; empty: the kind's cause
+  std::string_view remedy = {};   ///< a literal; empty: the kind's remedy
 };
+
+inline Alarm alarm_from(const StatementFault& fault) {
+  return {fault.kind, fault.span, fault.message, fault.remedy};
+}
 
 /// A sequence number and where it stands.
 struct SequenceLabel {

@@ -342,11 +342,12 @@ constexpr std::array kCatalogue{
     AlarmKind{kOwn, "unfinished-code", "Code that kerf does not execute yet",
               "The controller has this code, but kerf cannot carry it out so far.",
               "Take the code out to check the rest of the program."},
-    AlarmKind{kOwn, "endless-loop", "Endless loop",
-              "The program executes macro statements for ever, without a move, a dwell or any other action "
-              "among them.",
-              "Change a variable of the condition inside the loop, or correct the GOTO, so that the loop "
-              "comes to an end."},
+    AlarmKind{
+        kOwn, "endless-loop", "Endless loop",
+        "The program has jumped back, repeated and called so often that it counts as endless: a hundred "
+        "million times, or ten million with moves or other actions between.",
+        "Change a variable of the condition inside the loop, or correct the GOTO, so that the loop "
+        "comes to an end."},
     AlarmKind{kOwn, "block-too-long", "Too many words in a block",
               "The block has more than the 128 words that kerf keeps of a block.",
               "Split the block into several."},

@@ -1,5 +1,6 @@
 #include "dialect/melsec/block_compiler.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "dialect/melsec/alarms.hpp"
@@ -8,7 +9,7 @@
 namespace kerf::melsec {
 namespace {
 
-constexpr int kDeepestBrackets = 5;
+constexpr std::size_t kDeepestBrackets = 5;
 constexpr std::int64_t kHighestSequenceNumber = 99999;
 constexpr std::int32_t kHighestLoop = 127;
 
@@ -27,22 +28,28 @@ bool is_lower(char c) {
   return c >= 'a' && c <= 'z';
 }
 
-/// The details code of what is wrong with the brackets of a block; empty when they are right.
-std::string_view bracket_fault(std::string_view block) {
-  int depth = 0;
-  int deepest = 0;
-  int balance = 0;
-  for (const char c : block) {
-    if (c == '[') {
-      ++balance;
-      deepest = std::max(deepest, ++depth);
-    } else if (c == ']') {
-      --balance;
+/// What is wrong with the brackets of a block, and where.
+struct BracketFault {
+  std::string_view detail;  ///< empty: nothing
+  std::size_t at = 0;
+};
+
+BracketFault bracket_fault(std::string_view block) {
+  std::array<std::size_t, kDeepestBrackets + 1> opened{};
+  std::size_t depth = 0;
+  std::size_t too_deep = std::string_view::npos;
+  for (std::size_t i = 0; i < block.size(); ++i) {
+    if (block[i] == '[') {
+      if (depth < opened.size()) opened[depth] = i;
+      if (++depth == kDeepestBrackets + 1 && too_deep == std::string_view::npos) too_deep = i;
+    } else if (block[i] == ']') {
+      if (depth == 0) return {"032EH", i};
       --depth;
     }
   }
-  if (balance != 0) return "032EH";
-  return deepest > kDeepestBrackets ? "032DH" : "";
+  if (depth > 0) return {"032EH", opened[std::min(depth, opened.size()) - 1]};
+  if (too_deep != std::string_view::npos) return {"032DH", too_deep};
+  return {};
 }
 
 }  // namespace
@@ -70,7 +77,7 @@ void BlockCompiler::fault() {
   place.column += static_cast<std::uint32_t>(found.at);
   const std::size_t left = span_.length - std::min<std::size_t>(span_.length, found.at);
   place.length = static_cast<std::uint32_t>(std::max<std::size_t>(1, std::min(found.length, left)));
-  program_.faults.push_back({&alarm_kind(found.detail), place});
+  program_.faults.push_back({&alarm_kind(found.detail), place, found.message});
   add(StatementKind::fault).jump = static_cast<StatementIndex>(program_.faults.size() - 1);
 }
 
@@ -93,15 +100,21 @@ ExpressionRef BlockCompiler::since(std::size_t first_step) const {
 }
 
 bool BlockCompiler::block() {
-  if (const std::string_view detail = bracket_fault(parser_.text()); !detail.empty()) {
-    return parser_.fail(detail, parser_.text().size());
+  // What reads the text takes a zero byte for its end.
+  if (const std::size_t zero = parser_.text().find('\0'); zero != std::string_view::npos) {
+    parser_.set_position(zero);
+    return parser_.fail("0305H", "A zero byte stands in the block.");
+  }
+  if (const BracketFault found = bracket_fault(parser_.text()); !found.detail.empty()) {
+    parser_.set_position(found.at);
+    return parser_.fail(found.detail);
   }
   return sequence_number() && statement();
 }
 
 bool BlockCompiler::sequence_number() {
   if (!parser_.take("N")) return true;
-  if (!is_digit(parser_.peek())) return parser_.fail("0306H");
+  if (!is_digit(parser_.peek())) return parser_.fail("0306H", "N has a plain number behind it.");
   const std::size_t start = parser_.position();
   const char* p = parser_.text().data() + start;
   const char* const first = p;
@@ -151,13 +164,16 @@ bool BlockCompiler::nothing_more() {
   const bool is_word = is_upper(c) && (is_digit(behind) || behind == '.' || behind == '#' || behind == '[' ||
                                        behind == '-' || behind == '+');
   const bool operation = c == '#' && program_.statements.back().kind != StatementKind::assignment;
-  return parser_.fail(is_word || operation ? "032CH" : "0306H");
+  if (is_word || operation) return parser_.fail("032CH");
+  return parser_.fail("0306H", "An operation or control command stands alone in its block.");
 }
 
 bool BlockCompiler::condition_in_brackets(std::string_view detail, ExpressionRef& condition) {
   if (!parser_.take("[")) return parser_.fail(detail);
   const std::size_t first = parser_.begin_expression();
-  if (!parser_.condition() || !(parser_.take("]") || parser_.fail("0306H"))) return false;
+  if (!parser_.condition() ||
+      !(parser_.take("]") || parser_.fail("0306H", "A closing bracket was expected here.")))
+    return false;
   condition = since(first);
   return true;
 }
@@ -196,6 +212,7 @@ bool BlockCompiler::else_statement() {
 }
 
 bool BlockCompiler::go_to(ExpressionRef condition) {
+  if (parser_.peek() == 'N') return parser_.fail("0306H", "GOTO has the number alone behind it, without N.");
   const std::size_t first = parser_.begin_expression();
   if (!parser_.value()) return false;
   Statement& jump = add(StatementKind::go_to);
@@ -271,7 +288,10 @@ bool BlockCompiler::word() {
   }
   if (c == '#') return parser_.fail("032CH");
   if (is_lower(c) || (word.comma && c != 'F')) return parser_.fail("0305H");
-  if (!is_upper(c)) return parser_.fail(c == '(' || c == '%' || c == '=' || is_digit(c) ? "0306H" : "0305H");
+  if (c == '(') return parser_.fail("0306H", "A comment has a line of its own.");
+  if (c == '%') return parser_.fail("0306H", "A % stands alone in the first and in the last line.");
+  if (c == '=' || is_digit(c)) return parser_.fail("0306H", "A letter was expected here.");
+  if (!is_upper(c)) return parser_.fail("0305H", "This character begins no word.");
   if (c == 'N') return sequence_number();
   word.address = c;
   parser_.set_position(parser_.position() + 1);
@@ -303,7 +323,7 @@ bool BlockCompiler::word_value(Word& word) {
     }
     parser_.set_position(start);
   }
-  if (word.address == 'O') return parser_.fail("0306H");
+  if (word.address == 'O') return parser_.fail("0306H", "O has a plain number behind it.");
   const std::size_t first = parser_.begin_expression();
   if (!parser_.value()) return false;
   // "X#101 = 5" would define a variable through an address.

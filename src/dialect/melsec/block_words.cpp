@@ -28,6 +28,23 @@ const CodeIndex& code_index() {
   return kIndex;
 }
 
+ProgramCode program_code_of(std::int32_t number) {
+  switch (number) {
+    case 0:
+    case 1:
+      return ProgramCode::stop;
+    case 2:
+    case 30:
+      return ProgramCode::end;
+    case 98:
+      return ProgramCode::call;
+    case 99:
+      return ProgramCode::go_back;
+    default:
+      return ProgramCode::none;
+  }
+}
+
 const CodeRow* find_g(CodeNumber number) {
   const CodeIndex& index = code_index();
   return number < index.rows.size() ? index.rows[number] : nullptr;
@@ -78,6 +95,7 @@ bool BlockWords::collect(const Block& block, CodeNumber distance, const LineAxes
     }
     if (!good) return false;
   }
+  if (!auxiliaries_.empty()) sort_auxiliaries();
   return true;
 }
 
@@ -104,31 +122,26 @@ bool BlockWords::take_auxiliary(const Block& block, const Word& word, std::optio
   if (number.fault != NumberFault::none) {
     return refuse(alarm, number.fault == NumberFault::range ? "0308H" : "031AH", span_of(block, word));
   }
-  const auto value = static_cast<std::int32_t>(number.value);
-  switch (value) {
-    case 0:
-    case 1:
-      program_code_ = ProgramCode::stop;
-      return true;
-    case 2:
-    case 30:
-      program_code_ = ProgramCode::end;
-      return true;
-    case 98:
-      program_code_ = ProgramCode::call;
-      return true;
-    case 99:
-      program_code_ = ProgramCode::go_back;
-      return true;
-    default:
-      break;
-  }
   if (auxiliaries_.full()) {
     for (std::size_t i = 1; i < kAuxiliaries; ++i) auxiliaries_[i - 1] = auxiliaries_[i];
     auxiliaries_.resize(kAuxiliaries - 1);
   }
-  auxiliaries_.push_back(value);
+  auxiliaries_.push_back(static_cast<std::int32_t>(number.value));
   return true;
+}
+
+/// Which of the M codes that count steer the program; the last of these does.
+void BlockWords::sort_auxiliaries() {
+  const auto codes = auxiliaries_;
+  auxiliaries_.clear();
+  for (const std::int32_t number : codes) {
+    const ProgramCode code = program_code_of(number);
+    if (code == ProgramCode::none) {
+      auxiliaries_.push_back(number);
+    } else {
+      program_code_ = code;
+    }
+  }
 }
 
 bool BlockWords::take_value(const Block& block, const Word& word, const LineAxes& line,
@@ -144,6 +157,10 @@ bool BlockWords::take_value(const Block& block, const Word& word, const LineAxes
     named_.insert(*axis);
     axes_[index(*axis)] = {&word, incremental_};
     return true;
+  }
+  const bool whole = word.address == 'P' || word.address == 'L';
+  if (whole && !word.is_computed && word.number.has_point) {
+    return refuse(alarm, "031AH", span_of(block, word));
   }
   constexpr std::string_view kAddresses = "DFHIJKLPR";
   if (kAddresses.find(word.address) != std::string_view::npos) return true;

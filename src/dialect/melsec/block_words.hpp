@@ -60,6 +60,7 @@ class BlockWords {
   const AxisWord& axis(Axis axis) const { return axes_[index(axis)]; }
   AxisSet axes() const { return named_; }
   ProgramCode program_code() const { return program_code_; }
+  /// M codes for the machine, of the last four M codes of the block.
   const FixedVector<std::int32_t, kAuxiliaries>& auxiliaries() const { return auxiliaries_; }
   /// First word behind G65; the number of words without it.
   std::size_t first_argument() const { return first_argument_; }
@@ -69,6 +70,7 @@ class BlockWords {
  private:
   bool take_code(const Block& block, const Word& word, std::optional<Alarm>& alarm);
   bool take_auxiliary(const Block& block, const Word& word, std::optional<Alarm>& alarm);
+  void sort_auxiliaries();
   bool take_value(const Block& block, const Word& word, const LineAxes& line, std::optional<Alarm>& alarm);
 
   std::array<CodeNumber, kGroupCount> codes_{};

@@ -90,7 +90,7 @@ constexpr CodeRow kCodes[] = {
     {'M', 990, Group::one_shot, "M99", "Auxiliary functions", "one-shot", "Sub/macro program return",
      "M99 [P_ (0 to 99999)]"},
     {'N', 0, Group::one_shot, "N", "Words with a value", "parameter", "Sequence number",
-     "N number (1 to 99999), first in the block"},
+     "N number (0 to 99999), first in the block"},
     {'F', 0, Group::one_shot, "F", "Words with a value", "parameter", "Cutting feed rate",
      "F feed (0.01 to 1000000 mm/min or degrees/min)"},
     {'F', 0, Group::one_shot, ",F", "Words with a value", "parameter", "Fast forward speed of one G00 block",

@@ -100,6 +100,19 @@ class FileCompiler {
 
 }  // namespace
 
+std::optional<std::int32_t> stored_number(std::string_view file_name) {
+  constexpr std::int32_t kHighest = 256;
+  const std::size_t slash = file_name.rfind('/');
+  if (slash != std::string_view::npos) file_name.remove_prefix(slash + 1);
+  if (file_name.size() != 8 || file_name[0] != 'O' || !file_name.ends_with(".gcd")) return std::nullopt;
+  std::int32_t number = 0;
+  for (std::size_t i = 1; i < 4; ++i) {
+    if (file_name[i] < '0' || file_name[i] > '9') return std::nullopt;
+    number = number * 10 + (file_name[i] - '0');
+  }
+  return number >= 1 && number <= kHighest ? std::optional(number) : std::nullopt;
+}
+
 std::shared_ptr<const CompiledProgram> compile(std::shared_ptr<const Source> source, std::int32_t number) {
   auto program = std::make_shared<CompiledProgram>();
   const std::string_view text = source->text();

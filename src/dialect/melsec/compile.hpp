@@ -2,6 +2,8 @@
 // A program file of the MELSEC G-code control into a compiled program (manual 5.1, 5.2, 5.8 to 5.10).
 
 #include <memory>
+#include <optional>
+#include <string_view>
 
 #include "syntax/compiled_program.hpp"
 
@@ -12,6 +14,9 @@ inline constexpr std::size_t kLargestProgram = std::size_t{512} * 1024;
 
 /// All program files of the controller together, bytes (manual 5.1, appendix 1).
 inline constexpr std::size_t kLargestStore = std::size_t{2} * 1024 * 1024;
+
+/// The program number of a file O001.gcd to O256.gcd; nothing for any other name.
+std::optional<std::int32_t> stored_number(std::string_view file_name);
 
 /// Compiles any text: what is wrong with a block becomes a fault that is raised when the block is reached,
 /// and what is wrong with the file (no % lines, too large) a fault of its first statement, since the

@@ -14,6 +14,7 @@ struct Open {
   std::int16_t range = -1;
   std::int32_t number = 0;
   bool has_else = false;
+  bool overlaps = false;  ///< a loop begins or ends in it and not the other way round
 };
 
 class Pairing {
@@ -74,7 +75,10 @@ class Pairing {
     const Control& control = controls_[now_];
     while (!open_.empty()) {
       Open& innermost = open_.back();
-      if (innermost.kind == ControlKind::loop) break;
+      if (innermost.kind == ControlKind::loop) {
+        if (Open* owner = innermost_if()) return overlap(*owner, control);
+        break;
+      }
       const bool adjacent =
           innermost.control + 1 == now_ && controls_[innermost.control].last + 1 == control.statement;
       const bool optional = innermost.kind == ControlKind::if_operation;
@@ -99,7 +103,14 @@ class Pairing {
     const Control& control = controls_[now_];
     while (!open_.empty()) {
       const Open innermost = open_.back();
-      if (innermost.kind == ControlKind::loop) return overlap(control);
+      if (innermost.kind == ControlKind::loop) {
+        if (Open* owner = innermost_if()) {
+          overlap(*owner, control);
+          open_.erase(open_.begin() + (owner - open_.data()));
+          return;
+        }
+        break;
+      }
       const bool optional = innermost.kind == ControlKind::if_operation;
       if (!optional || spare_end_if(open_.size())) return close_if(innermost, control);
       drop_operation_if();
@@ -107,14 +118,35 @@ class Pairing {
     refuse(control, "0330H");
   }
 
-  /// The ENDIF of an IF inside whose range a loop begins and does not end.
-  void overlap(const Control& control) {
-    refuse(control, "0334H");
+  /// The innermost IF that is open; one of a single operation only when there is no other.
+  Open* innermost_if() {
     for (std::size_t i = open_.size(); i-- > 0;) {
-      if (open_[i].kind == ControlKind::loop) continue;
-      program_.ranges[static_cast<std::size_t>(open_[i].range)].last = control.statement;
-      open_.erase(open_.begin() + static_cast<std::ptrdiff_t>(i));
-      return;
+      if (open_[i].kind == ControlKind::if_then) return &open_[i];
+    }
+    for (std::size_t i = open_.size(); i-- > 0;) {
+      if (open_[i].kind == ControlKind::if_operation) return &open_[i];
+    }
+    return nullptr;
+  }
+
+  /// An ELSE, ENDIF or END that overlaps: it raises the alarm, and so does the IF when it does not hold.
+  void overlap(Open& owner, const Control& control) {
+    refuse(control, "0334H");
+    overlap_at(owner, control.statement);
+  }
+
+  void overlap_at(Open& owner, StatementIndex place) {
+    owner.overlaps = true;
+    program_.ranges[static_cast<std::size_t>(owner.range)].last = place;
+    program_.statements[controls_[owner.control].statement].jump = place;
+    lead_else(owner.range, place);
+  }
+
+  /// The THEN part of an IF goes on at `place` behind its ELSE.
+  void lead_else(std::int16_t range, StatementIndex place) {
+    for (StatementIndex i = program_.ranges[static_cast<std::size_t>(range)].first; i < place; ++i) {
+      Statement& statement = program_.statements[i];
+      if (statement.kind == StatementKind::else_part && statement.range == range) statement.jump = place;
     }
   }
 
@@ -123,12 +155,8 @@ class Pairing {
     StatementRange& range = program_.ranges[static_cast<std::size_t>(owner.range)];
     range.last = control.statement;
     Statement& condition = program_.statements[range.first];
-    if (!owner.has_else) condition.jump = control.statement;
-    for (StatementIndex i = range.first; i <= range.last; ++i) {
-      Statement& statement = program_.statements[i];
-      const bool own_else = statement.kind == StatementKind::else_part && statement.range == owner.range;
-      if (own_else) statement.jump = control.statement;
-    }
+    if (!owner.has_else && !owner.overlaps) condition.jump = control.statement;
+    lead_else(owner.range, control.statement);
   }
 
   void end_loop() {
@@ -137,7 +165,7 @@ class Pairing {
     while (!open_.empty() && open_.back().kind == ControlKind::if_operation) drop_operation_if();
     const bool own =
         !open_.empty() && open_.back().kind == ControlKind::loop && open_.back().number == control.number;
-    if (!own) return refuse(control, "0334H");
+    if (!own) return end_elsewhere(control);
     const std::int16_t loop = open_.back().range;
     open_.pop_back();
     StatementRange& range = program_.loops[static_cast<std::size_t>(loop)];
@@ -146,6 +174,22 @@ class Pairing {
     Statement& end = program_.statements[control.statement];
     end.loop = loop;
     end.jump = range.first;
+  }
+
+  /// An END behind the beginning of an IF inside its loop, or one without a loop.
+  void end_elsewhere(const Control& control) {
+    refuse(control, "0334H");
+    const auto loop = std::find_if(open_.begin(), open_.end(), [&](const Open& open) {
+      return open.kind == ControlKind::loop && open.number == control.number;
+    });
+    if (loop == open_.end()) return;
+    for (auto inside = loop + 1; inside != open_.end(); ++inside) {
+      if (inside->kind != ControlKind::loop) overlap_at(*inside, control.statement);
+    }
+    StatementRange& range = program_.loops[static_cast<std::size_t>(loop->range)];
+    range.last = control.statement;
+    program_.statements[range.first].jump = control.statement;
+    open_.erase(loop);
   }
 
   /// Ends the innermost IF of one operation where its block, or that of its ELSE, ends.

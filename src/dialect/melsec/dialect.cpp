@@ -62,6 +62,8 @@ Dialect dialect() {
   d.defaults = default_machine();
   d.key_alarms = key_alarms();
   d.shared_names = shared_names();
+  d.store_names = "O001.gcd to O256.gcd";
+  d.is_stored = [](std::string_view file_name) { return stored_number(file_name).has_value(); };
   d.store_bytes = kLargestStore;
   d.store_over = &alarm_kind("0041H");
   d.complete = complete_limits;

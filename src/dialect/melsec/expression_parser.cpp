@@ -45,8 +45,16 @@ constexpr int kDeepest = static_cast<int>(kExpressionStack) - 1;
 
 }  // namespace
 
+constexpr std::string_view kNoValue =
+    "A value was expected here: a number, a variable, a function or a bracket.";
+
 bool ExpressionParser::fail(std::string_view detail, std::size_t length) {
   if (fault_.detail.empty()) fault_ = {detail, at_, length};
+  return false;
+}
+
+bool ExpressionParser::fail(std::string_view detail, std::string_view message) {
+  if (fault_.detail.empty()) fault_ = {detail, at_, 1, message};
   return false;
 }
 
@@ -97,7 +105,7 @@ bool ExpressionParser::number(double& value) {
   }
   if (!any) {
     at_ = start;
-    return fail("0306H");
+    return fail("0306H", "A number was expected here.");
   }
   const char* first = text_.data() + start;
   if (std::from_chars(first, text_.data() + at_, value).ec != std::errc()) value = HUGE_VAL;
@@ -147,7 +155,8 @@ bool ExpressionParser::signed_primary() {
   const char sign = peek();
   if (sign != '+' && sign != '-') return primary();
   ++at_;
-  if (const char second = peek(); second == '+' || second == '-') return fail("0306H");
+  if (const char second = peek(); second == '+' || second == '-')
+    return fail("0306H", "Two signs stand in a row.");
   return primary() && (sign == '+' || push(ExpressionOp::negate));
 }
 
@@ -159,7 +168,7 @@ bool ExpressionParser::primary() {
   }
   if (c == '[') {
     ++at_;
-    return value() && (take("]") || fail("0306H"));
+    return value() && (take("]") || fail("0306H", "A closing bracket was expected here."));
   }
   if (is_digit(c) || c == '.') {
     double constant = 0.0;
@@ -171,12 +180,14 @@ bool ExpressionParser::primary() {
 bool ExpressionParser::function() {
   for (const Named& function : kFunctions) {
     if (!take(function.name)) continue;
-    if (!take("[")) return fail("0306H");
+    if (!take("[")) return fail("0306H", "A function has its argument in brackets.");
     if (!value()) return false;
-    if (function.op == ExpressionOp::power && !(take(",") && value())) return fail("0306H");
-    return (take("]") || fail("0306H")) && push(function.op);
+    if (function.op == ExpressionOp::power && !(take(",") && value())) {
+      return fail("0306H", "POW has two arguments with a comma between them.");
+    }
+    return (take("]") || fail("0306H", "A closing bracket was expected here.")) && push(function.op);
   }
-  return fail("0306H");
+  return fail("0306H", kNoValue);
 }
 
 bool ExpressionParser::variable() {
@@ -195,7 +206,7 @@ bool ExpressionParser::variable_number(bool assigned) {
   }
   if (c == '[') {
     ++at_;
-    if (!value() || !(take("]") || fail("0306H"))) return false;
+    if (!value() || !(take("]") || fail("0306H", "A closing bracket was expected here."))) return false;
     // A bracket is never folded into the variable step: #[206] and #206 differ for what is defined.
     return steps_.back().op != ExpressionOp::constant || push(ExpressionOp::truncate);
   }
@@ -215,7 +226,7 @@ bool ExpressionParser::variable_number(bool assigned) {
     at_ = start;
     return fail(second == '-' || second == '+' ? "0306H" : "032AH");
   }
-  return fail("0306H");
+  return fail("0306H", kNoValue);
 }
 
 bool ExpressionParser::condition() {
@@ -223,7 +234,7 @@ bool ExpressionParser::condition() {
   for (const Named& comparison : kComparisons) {
     if (take(comparison.name)) return value() && push(comparison.op);
   }
-  return fail("0306H");
+  return fail("0306H", kNoValue);
 }
 
 }  // namespace kerf::melsec

@@ -13,6 +13,7 @@ struct ParseFault {
   std::string_view detail;  ///< empty: nothing
   std::size_t at = 0;
   std::size_t length = 1;
+  std::string_view message = {};  ///< empty: the alarm's own cause says it
 };
 
 /// A cursor over one block. Every function that reads leaves the cursor behind what it took, or sets the
@@ -49,6 +50,8 @@ class ExpressionParser {
   /// A number without sign.
   bool number(double& value);
   bool fail(std::string_view detail, std::size_t length = 1);
+  /// `message` stays: a literal.
+  bool fail(std::string_view detail, std::string_view message);
 
   std::string_view text() const { return text_; }
   std::size_t position() const { return at_; }

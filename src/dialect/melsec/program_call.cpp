@@ -55,12 +55,17 @@ bool read_optional(const Block& block, const Word* word, double highest, std::in
   return word == nullptr || read_integer(block, *word, highest, "0308H", value, alarm);
 }
 
+SourceSpan place_of(const Block& block, const Word* word) {
+  return word == nullptr ? block.span : span_of(block, *word);
+}
+
 }  // namespace
 
 bool read_subprogram_call(const Block& block, const BlockWords& words, FlowRequest& request,
                           std::optional<Alarm>& alarm) {
   request = {};
   request.kind = FlowRequest::Kind::call;
+  request.place = place_of(block, words.find('P'));
   const Word* times = words.find('L');
   return read_optional(block, words.find('P'), kHighestProgram, request.program, alarm) &&
          read_optional(block, words.find('H'), kHighestSequenceNumber, request.sequence_number, alarm) &&
@@ -71,6 +76,7 @@ bool read_return(const Block& block, const BlockWords& words, FlowRequest& reque
                  std::optional<Alarm>& alarm) {
   request = {};
   request.kind = FlowRequest::Kind::go_back;
+  request.place = place_of(block, words.find('P'));
   return read_optional(block, words.find('P'), kHighestSequenceNumber, request.sequence_number, alarm);
 }
 
@@ -79,6 +85,7 @@ bool read_macro_call(const Block& block, std::size_t first, FlowRequest& request
   request = {};
   request.kind = FlowRequest::Kind::macro_call;
   request.program = 0;
+  request.place = block.span;
   GroupCounter groups;
   for (std::size_t i = first; i < block.words.size(); ++i) {
     const Word& word = block.words[i];
@@ -87,6 +94,7 @@ bool read_macro_call(const Block& block, std::size_t first, FlowRequest& request
     if (word.address == 'G') continue;
     if (word.address == 'P') {
       if (!read_integer(block, word, kHighestProgram, "031FH", request.program, alarm)) return false;
+      request.place = span_of(block, word);
     } else if (word.address == 'L') {
       if (!read_repetitions(block, word, request, alarm)) return false;
     } else if (grouped) {

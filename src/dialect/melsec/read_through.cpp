@@ -28,8 +28,7 @@ std::vector<Alarm> read_through(const std::shared_ptr<const Source>& source, con
   std::vector<Alarm> alarms;
   for (const Statement& statement : program->statements) {
     if (statement.kind == StatementKind::fault) {
-      const StatementFault& fault = program->faults[statement.jump];
-      alarms.push_back({fault.kind, fault.span, {}, {}});
+      alarms.push_back(alarm_from(program->faults[statement.jump]));
     }
     if (statement.kind != StatementKind::words) continue;
     const auto block = constant_block(*program, statement);

@@ -11,19 +11,6 @@
 namespace kerf::melsec {
 namespace {
 
-/// The program number of a file name O001.gcd to O256.gcd; 1 for any other (decisions.md).
-std::int32_t program_number(std::string_view name) {
-  const std::size_t slash = name.rfind('/');
-  if (slash != std::string_view::npos) name.remove_prefix(slash + 1);
-  std::int32_t number = 0;
-  if (name.size() != 8 || name[0] != 'O' || !name.ends_with(".gcd")) return 1;
-  for (std::size_t i = 1; i < 4; ++i) {
-    if (name[i] < '0' || name[i] > '9') return 1;
-    number = number * 10 + (name[i] - '0');
-  }
-  return number;
-}
-
 /// Compiles each program once, when it is first called.
 class ProgramStore {
  public:
@@ -50,9 +37,19 @@ class ProgramStore {
 
 FlowAlarms flow_alarms() {
   // In the order of FlowFault.
-  return {&alarm_kind("032AH"), &alarm_kind("0319H"), &alarm_kind("0318H"), &alarm_kind("031FH"),
-          &alarm_kind("0320H"), &alarm_kind("0329H"), &alarm_kind("0335H"), &alarm_kind("032FH"),
-          &alarm_kind("0333H"), &alarm_kind("0334H"), &alarm_kind("0306H"), &alarm_kind("endless-loop")};
+  return {{{&alarm_kind("032AH")},
+           {&alarm_kind("0319H")},
+           {&alarm_kind("0318H")},
+           {&alarm_kind("031FH")},
+           {&alarm_kind("0320H")},
+           {&alarm_kind("0329H")},
+           {&alarm_kind("0335H")},
+           {&alarm_kind("032FH")},
+           {&alarm_kind("0333H")},
+           {&alarm_kind("0334H")},
+           {&alarm_kind("0306H"), "The jump leads into a loop from outside of it.",
+            "Let the jump lead to the WHILE or DO of the loop, or in front of it."},
+           {&alarm_kind("endless-loop")}}};
 }
 
 }  // namespace
@@ -61,7 +58,7 @@ Rules::Rules(const ControllerSettings& settings, const Machine& machine)
     : settings_(settings), machine_(machine), travel_(machine), line_{machine.axes, machine.followers()} {}
 
 BlockFeed Rules::open(std::shared_ptr<const Source> source, ProgramTexts others) const {
-  const std::int32_t number = program_number(source->name());
+  const std::int32_t number = stored_number(source->name()).value_or(1);
   auto store = std::make_shared<ProgramStore>(std::move(others));
   return ProgramFlow(
       compile(std::move(source), number), [store](std::int32_t wanted) { return store->find(wanted); },
