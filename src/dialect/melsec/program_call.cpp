@@ -92,6 +92,7 @@ bool read_macro_call(const Block& block, std::size_t first, FlowRequest& request
     const bool grouped = word.address >= 'I' && word.address <= 'K';
     int variable = 0;
     if (word.address == 'G') continue;
+    if (word.comma) return refuse(alarm, "0305H", span_of(block, word), "A comma begins no argument.");
     if (word.address == 'P') {
       if (!read_integer(block, word, kHighestProgram, "031FH", request.program, alarm)) return false;
       request.place = span_of(block, word);
