@@ -218,6 +218,7 @@ std::string alarm_of_block(const Controller& controller, const std::string& bloc
 std::string with_operands(const std::string& code) {
   if (code == "G04") return "G04P1";
   if (code == "G65") return "G65P2";
+  if (code == "G41" || code == "G42") return code + "D1";
   return code == "G43" || code == "G44" ? code + "H1" : code;
 }
 

@@ -50,11 +50,24 @@ struct Arc {
 /// Side of the programmed path on which the tool runs, looking in the direction of travel.
 enum class Side : std::uint8_t { none, left, right };
 
+/// What the vector from the programmed path to the tool is where a block ends.
+enum class VectorRule : std::uint8_t {
+  computed,         ///< by the paths before and behind
+  at_right_angles,  ///< to RadiusCompensation::direction, on the side in force
+  along,            ///< in that direction
+  kept,             ///< as it was where the block began
+};
+
 /// Tool radius compensation as the block commands it; the compensation pass acts on it.
 struct RadiusCompensation {
   Side side = Side::none;
   double amount = 0.0;      ///< mm; a negative amount exchanges the sides
   std::uint32_t start = 0;  ///< counts the starts: with another number a new compensation begins
+  VectorRule rule = VectorRule::computed;
+  bool suspended = false;  ///< this move alone goes to its programmed end
+  /// In the compensation plane, any length. Of a block that ends the compensation: not {0, 0}: it ends where
+  /// the path meets that of an imagined straight block in this direction.
+  std::array<double, 2> direction{};
 };
 
 /// Feed of a rotary axis by the peripheral speed at a radius (DGSHAPE 1-4, 2-5): rate = feed / radius. With

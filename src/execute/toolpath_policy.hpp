@@ -13,12 +13,36 @@ namespace kerf {
 /// the compensated block; B: around the corner, as between compensated blocks.
 enum class StartType : std::uint8_t { A, B };
 
+/// What becomes of compensation points between which the tool would run back along a block.
+enum class InterferenceCheck : std::uint8_t {
+  none,   ///< nothing
+  alarm,  ///< an alarm before the block in front of them
+  avoid,  ///< the tool goes from the block before to the block behind, where their paths meet
+};
+
 /// What differs between controllers. Every alarm kind must be given.
 struct RadiusCompensationPolicy {
   StartType start_type = StartType::A;
   double small_angle_deg = 1.0;           ///< see CornerRules
   double joint_gap_mm = 0.01;             ///< see CornerRules
   std::size_t blocks_without_motion = 2;  ///< so many blocks without motion in the plane end the look-ahead
+  bool type_b_beside =
+      false;  ///< type B leads by the points at right angles to the starting and ending block
+  bool joints_belong_to_next =
+      false;                 ///< moves put in behind the first point of a corner are the next block's
+  bool start_waits = false;  ///< a start that sees no block behind it is programmed, and the next one starts
+  bool resumes_unjoined =
+      false;  ///< behind an ended look-ahead a block leads from where the tool is to its end
+  bool changes_in_force = false;  ///< side and amount may change while in force
+  bool starts_at_rest = false;    ///< a side commanded without motion takes effect at the next move's start
+  bool stop_ends_look_ahead = false;  ///< nothing behind a stop is looked at before it
+  bool corner_arc_inside = false;     ///< corner arcs are made at inner corners too
+  bool small_arcs_turn_over = false;  ///< an arc smaller than the tool is run on the far side of its centre
+  bool drops_whole_turns = false;     ///< of an arc that the compensation makes longer than 360 degrees
+  bool stops_before_fault = false;    ///< the block that ends at an impossible corner is not made
+  InterferenceCheck interference = InterferenceCheck::none;
+  std::size_t interference_blocks = 4;  ///< farther apart than this two blocks are not seen together
+  const AlarmKind* interference_alarm = nullptr;  ///< must be given with a check
   const AlarmKind* start_with_arc = nullptr;
   const AlarmKind* end_with_arc = nullptr;
   const AlarmKind* inner_arc_radius = nullptr;    ///< offset larger than the radius on the inside of an arc

@@ -49,14 +49,6 @@ void add_outer_points(Corner& corner, double angle_deg, Vec2 at, Vec2 tangent_in
   add_point(corner, at + left_mm * left_of(tangent_out) - reach * tangent_out);
 }
 
-Meeting meeting_of_parallels(const PlanarSegment& first, const PlanarSegment& next) {
-  const PlanarCircle first_circle{first.center, first.radius};
-  const PlanarCircle next_circle{next.center, next.radius};
-  if (first.is_arc && next.is_arc) return meeting_of(first_circle, next_circle);
-  if (first.is_arc) return meeting_of(first_circle, line_through(next.start, next.end));
-  return meeting_of(line_through(first.start, first.end), next_circle);
-}
-
 // A line through the programmed direction: the shortened parallel may have been turned round or have no
 // length left.
 PlanarSegment endless(const OffsetSegment& segment, double left_mm) {
@@ -78,7 +70,7 @@ Corner inner_corner(const OffsetSegment& first, const OffsetSegment& next, const
   // An almost tangent joint: the parallels may miss each other or meet far away, and their ends all but
   // touch.
   const bool almost_tangent = distance(first_end, next_start) <= rules.joint_gap_mm;
-  const Meeting meeting = meeting_of_parallels(endless(first, rules.left_mm), endless(next, rules.left_mm));
+  const Meeting meeting = meeting_of_curves(endless(first, rules.left_mm), endless(next, rules.left_mm));
   const std::optional<Vec2> nearest = nearest_point(meeting, first.programmed.end);
   if (almost_tangent && (!nearest || distance(*nearest, first_end) > rules.joint_gap_mm))
     return straight_between(first_end, next_start);
@@ -93,16 +85,33 @@ Corner inner_corner(const OffsetSegment& first, const OffsetSegment& next, const
 
 }  // namespace
 
+Meeting meeting_of_curves(const PlanarSegment& first, const PlanarSegment& next) {
+  const auto line = [](const PlanarSegment& s) { return line_through(s.start, s.end); };
+  const auto circle = [](const PlanarSegment& s) { return PlanarCircle{s.center, s.radius}; };
+  if (first.is_arc && next.is_arc) return meeting_of(circle(first), circle(next));
+  if (first.is_arc) return meeting_of(circle(first), line(next));
+  if (next.is_arc) return meeting_of(line(first), circle(next));
+  return meeting_of(line(first), line(next));
+}
+
 bool is_arc_too_small(const PlanarSegment& programmed, double left_mm) {
   return programmed.is_arc && offset_radius(programmed, left_mm) < -kLeastRadius;
 }
 
 OffsetSegment offset_of(const PlanarSegment& programmed, double left_mm) {
-  OffsetSegment segment{programmed, offset_segment(programmed, left_mm)};
+  OffsetSegment segment{programmed, offset_segment(programmed, left_mm), left_mm};
   if (programmed.is_arc && segment.offset.radius <= kLeastRadius) {
     segment.offset.radius = 0.0;
     segment.offset.start = segment.offset.end = programmed.center;
   }
+  return segment;
+}
+
+OffsetSegment offset_turned_over(const PlanarSegment& programmed, double left_mm) {
+  const double radius = programmed.is_arc ? offset_radius(programmed, left_mm) : 1.0;
+  if (radius > -kLeastRadius) return offset_of(programmed, left_mm);
+  OffsetSegment segment{programmed, offset_segment(programmed, left_mm), left_mm};
+  segment.offset.radius = -radius;
   return segment;
 }
 
@@ -159,13 +168,32 @@ Corner crossover_corner(const OffsetSegment& first, const OffsetSegment& next, c
   return corner;
 }
 
-Corner start_corner(Vec2 tangent_in, const OffsetSegment& next, StartType type, const CornerRules& rules) {
+Corner side_change_corner(const OffsetSegment& first, const OffsetSegment& next) {
+  const PlanarSegment along = endless(first, first.left_mm);
+  const PlanarSegment on = endless(next, next.left_mm);
+  const std::optional<Vec2> meeting = nearest_point(meeting_of_curves(along, on), first.programmed.end);
+  if (!meeting) return straight_between(first.offset.end, next.offset.start);
+  return straight_between(*meeting, *meeting);
+}
+
+Corner imagined_corner(const OffsetSegment& first, Vec2 direction) {
+  const Vec2 at = first.programmed.end;
+  const PlanarSegment imagined = offset_segment(straight(at, at + unit(direction)), first.left_mm);
+  const PlanarSegment along = endless(first, first.left_mm);
+  const std::optional<Vec2> meeting = nearest_point(meeting_of_curves(along, imagined), at);
+  const Vec2 point = meeting.value_or(first.offset.end);
+  return straight_between(point, point);
+}
+
+Corner start_corner(Vec2 tangent_in, const OffsetSegment& next, StartType type, const CornerRules& rules,
+                    bool beside) {
   const Vec2 tangent_out = start_tangent(next.programmed);
   const double angle = workpiece_angle_deg(tangent_in, tangent_out, rules.left_mm);
   const bool around =
       type == StartType::B && !is_inner(angle) && angle > rules.small_angle_deg + kAngleRounding;
   Corner corner;
   if (around) {
+    if (beside) add_point(corner, next.programmed.start + rules.left_mm * left_of(tangent_in));
     add_outer_points(corner, angle, next.programmed.start, tangent_in, tangent_out, rules.left_mm);
     if (!next.offset.is_arc) return corner;
   }
@@ -173,7 +201,8 @@ Corner start_corner(Vec2 tangent_in, const OffsetSegment& next, StartType type, 
   return corner;
 }
 
-Corner end_corner(const OffsetSegment& first, Vec2 tangent_out, StartType type, const CornerRules& rules) {
+Corner end_corner(const OffsetSegment& first, Vec2 tangent_out, StartType type, const CornerRules& rules,
+                  bool beside) {
   const Vec2 tangent_in = end_tangent(first.programmed);
   const double angle = workpiece_angle_deg(tangent_in, tangent_out, rules.left_mm);
   const bool around =
@@ -181,6 +210,7 @@ Corner end_corner(const OffsetSegment& first, Vec2 tangent_out, StartType type, 
   Corner corner;
   if (!around || first.offset.is_arc) add_point(corner, first.offset.end);
   if (around) add_outer_points(corner, angle, first.programmed.end, tangent_in, tangent_out, rules.left_mm);
+  if (around && beside) add_point(corner, first.programmed.end + rules.left_mm * left_of(tangent_out));
   return corner;
 }
 

@@ -11,6 +11,7 @@
 
 #include "base/fixed_vector.hpp"
 #include "execute/toolpath_policy.hpp"
+#include "geometry/intersection.hpp"
 #include "geometry/planar_segment.hpp"
 
 namespace kerf {
@@ -26,12 +27,18 @@ struct CornerRules {
 struct OffsetSegment {
   PlanarSegment programmed;
   PlanarSegment offset;
+  double left_mm = 0.0;  ///< of the offset
 };
 
 /// The parallel from the point at right angles to the start to the point at right angles to the end. An arc
 /// whose offset radius is at most 0.0001 mm, more or less than nothing, shrinks to its centre (offset.radius
 /// 0).
 OffsetSegment offset_of(const PlanarSegment& programmed, double left_mm);
+/// The same, but an arc smaller than the tool is run on the far side of its centre.
+OffsetSegment offset_turned_over(const PlanarSegment& programmed, double left_mm);
+
+/// Where the curves meet of which two segments are stretches: endless lines and whole circles.
+Meeting meeting_of_curves(const PlanarSegment& first, const PlanarSegment& next);
 
 /// True when the tool is too large for the inside of an arc, by more than 0.0001 mm.
 bool is_arc_too_small(const PlanarSegment& programmed, double left_mm);
@@ -58,6 +65,7 @@ enum class CornerFault : std::uint8_t {
 /// straight from point to point, and the second segment begins at the last.
 struct Corner {
   FixedVector<Vec2, 4> points;  ///< never empty without a fault; neighbours are at least 1e-6 mm apart
+  bool fixed = false;           ///< commanded by the program: no interference removes it
   CornerFault fault = CornerFault::none;
   double gap_mm = 0.0;  ///< with CornerFault::apart: the distance by which the parallels miss each other
 };
@@ -66,10 +74,22 @@ struct Corner {
 /// before.
 Corner crossover_corner(const OffsetSegment& first, const OffsetSegment& next, const CornerRules& rules);
 
+/// Between two segments on different sides of the path: where the parallels meet; where they do not, from the
+/// point at right angles to the end of the first to the one at right angles to the start of the next.
+Corner side_change_corner(const OffsetSegment& first, const OffsetSegment& next);
+
+/// From a segment to the parallel of an imagined straight block along `direction`, on whichever side of the
+/// corner they meet; at right angles to the end of the segment where they do not.
+Corner imagined_corner(const OffsetSegment& first, Vec2 direction);
+
 /// From the straight starting block, which comes along `tangent_in`, to the first compensated segment.
-Corner start_corner(Vec2 tangent_in, const OffsetSegment& next, StartType type, const CornerRules& rules);
+/// `beside`: type B comes by the point at right angles to the end of that block.
+Corner start_corner(Vec2 tangent_in, const OffsetSegment& next, StartType type, const CornerRules& rules,
+                    bool beside = false);
 
 /// From the last compensated segment to the straight ending block, which leaves along `tangent_out`.
-Corner end_corner(const OffsetSegment& first, Vec2 tangent_out, StartType type, const CornerRules& rules);
+/// `beside`: type B goes on to the point at right angles to the start of that block.
+Corner end_corner(const OffsetSegment& first, Vec2 tangent_out, StartType type, const CornerRules& rules,
+                  bool beside = false);
 
 }  // namespace kerf

@@ -61,6 +61,9 @@ class PathQueue {
   void wait(const Action& action) { waiting_.push(action); }
   bool is_waiting_full() const { return waiting_.size() >= kWaiting; }
 
+  /// How many actions wait.
+  std::size_t waiting() const { return waiting_.size() - released_; }
+
   /// The first action that still waits; nullptr when none does.
   Action* first_waiting() { return released_ < waiting_.size() ? &waiting_[released_] : nullptr; }
 

@@ -36,7 +36,13 @@ namespace kerf {
 /// - An alarm drops the move it is about (and, when an arc is used up by its neighbours, the move after it)
 ///   and takes the compensation back. The next move goes on from where the tool is; a straight one starts
 ///   the compensation again when it commands a side, arcs before it run as programmed.
-/// - There is no interference check: an inner corner may turn the direction of a short straight move round.
+/// - Without an interference check an inner corner may turn the direction of a short straight move round.
+/// With
+///   one, a move is held back until the corner behind the next is known, too.
+/// - VectorRule gives the end of a move a point of its own; a suspended move goes to its programmed end, and
+/// the
+///   one behind it from there to its own end point. Side and amount may change where the policy says so: the
+///   corner before the move that changes them has the old amount.
 ///
 /// Start and end of the moves given out chain exactly. Moves that shrink to nothing are left out. Nothing is
 /// allocated. While not in force, actions are handed through without a copy.
@@ -73,6 +79,15 @@ class RadiusCompensationPass {
     settled,   ///< in force; the last move has been given out, up to the point at right angles to its end
   };
 
+  /// The move before the one held back, while the interference check waits for the corner behind that one.
+  struct Before {
+    Action action;
+    OffsetSegment segment;
+    Corner corner;            ///< between it and the one held back
+    Vec2 direction;           ///< in which that one begins
+    std::size_t waiting = 0;  ///< actions that come between the two
+  };
+
   /// A corner arc that really turns.
   struct CornerTurn {
     double sweep_deg = 0.0;
@@ -80,7 +95,7 @@ class RadiusCompensationPass {
   };
 
   bool is_idle() const { return state_ == State::off && !displaced_ && !after_alarm_; }
-  static bool passes_through(const Action& action);
+  bool passes_through(const Action& action) const;
   void push(const Action& action);
   void push_while_off(const Action& action);
   void push_move(const Action& action, const Move& move);
@@ -88,17 +103,26 @@ class RadiusCompensationPass {
   void push_motionless(const Action& action);
 
   void start(const Action& action, const Move& move);
+  void start_from_rest(const Action& action, const Move& move);
+  void change_at_rest(const Move& move);
+  void suspend(const Action& action, const Move& move);
   void advance(const Action& action, const Move& move);
   void end(const Action& action, const Move& move);
   void finish();
   void turn_off(bool displaced);
 
-  void hold(const Action& action, const OffsetSegment& segment);
-  void leave_held(const Corner& corner);
+  void hold(const Action& action, const OffsetSegment& segment, Vec2 entry);
+  void leave_held(const Corner& corner, const Action& next);
+  void leave_held_for(const Corner& corner, const Action& next, Vec2 next_direction);
+  void leave_before();
+  void add_corner(const Action& action, const OffsetSegment& segment, const Corner& corner,
+                  const Action& next);
+  bool interferes(Corner& corner, const Action& action, const OffsetSegment& next);
   void leave_held_at_right_angles();
   void settle();
-  void add_held(Vec2 end);
-  void release_waiting(Vec2 next_direction);
+  void add_segment(const Action& action, const OffsetSegment& segment, Vec2 end);
+  void release_waiting(Vec2 next_direction) { release_waiting(next_direction, out_.waiting()); }
+  void release_waiting(Vec2 next_direction, std::size_t count);
   void drop_corner_arc();
   void make_corner_arc(Action& action, const CornerTurn& turn) const;
 
@@ -110,14 +134,24 @@ class RadiusCompensationPass {
   void raise(const AlarmKind* kind, const Origin& origin, const FixedText<200>& message);
   void raise_corner_fault(const Corner& corner, const Origin& next);
 
+  /// The parallel of a move.
+  OffsetSegment beside(const PlanarSegment& programmed, double left_mm) const {
+    return policy_.small_arcs_turn_over ? offset_turned_over(programmed, left_mm)
+                                        : offset_of(programmed, left_mm);
+  }
+  Vec2 vector_of(const RadiusCompensation& compensation, double left_mm) const;
   CornerRules rules() const { return {left_mm_, policy_.small_angle_deg, policy_.joint_gap_mm}; }
   const Move& held_move() const { return std::get<Move>(held_.what); }
   Vec2 point() const { return in_plane(out_.position(), plane_); }
 
   RadiusCompensationPolicy policy_;
   State state_ = State::off;
-  bool displaced_ = false;    ///< off, but the tool stands where out_ ends, not where the program has it
-  bool after_alarm_ = false;  ///< off because of an alarm, with a side commanded
+  bool displaced_ = false;      ///< off, but the tool stands where out_ ends, not where the program has it
+  bool after_alarm_ = false;    ///< off because of an alarm, with a side commanded
+  bool from_rest_ = false;      ///< off; a side was commanded without motion
+  bool unjoined_ = false;       ///< settled: the next move begins where the tool is, not beside its own start
+  RadiusCompensation at_rest_;  ///< what was commanded without motion
+  std::optional<Before> before_;
   Plane plane_;
   double left_mm_ = 0.0;
   Action held_;                         ///< the move held back; settled: the last one given out

@@ -207,7 +207,9 @@ bool BlockRun::push_move(MoveMode mode, const AxisVector& target, const Plane& p
   move.axis_words = words_.has('X') || words_.has('Y');
   if (offset_on()) {
     const bool left = registers.modal[Group::radius_compensation] == code(41);
-    move.compensation = {left ? Side::left : Side::right, registers.radius_amount, registers.radius_start};
+    move.compensation.side = left ? Side::left : Side::right;
+    move.compensation.amount = registers.radius_amount;
+    move.compensation.start = registers.radius_start;
   } else if (move.axis_words) {
     registers.offset_return_pending = false;
   }

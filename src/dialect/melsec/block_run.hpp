@@ -52,6 +52,13 @@ class BlockRun {
   bool rotation_center(Axis axis, double& center);
   bool rotation_angle(double& angle);
   const Word& last_code(CodeSet codes) const;
+  // radius_step.cpp
+  bool radius_compensation();
+  bool compensate(Move& move);
+  bool vector_direction(const Plane& plane, std::array<double, 2>& direction);
+  VectorRule vector_rule(const Move& move) const;
+  void corner_arc();
+  bool compensation_at_rest();
   // motion_step.cpp
   bool motion();
   bool machine_move();
@@ -86,8 +93,9 @@ class BlockRun {
   ActionQueue& queue_;
   FlowRequest& flow_;
   BlockWords words_;
-  bool taking_over_ = false;  ///< a refused block: nothing is pushed, and no move is refused again
-  double rapid_feed_ = 0.0;   ///< mm/min, of ,F; 0: not given
+  bool taking_over_ = false;      ///< a refused block: nothing is pushed, and no move is refused again
+  bool was_compensated_ = false;  ///< before the block
+  double rapid_feed_ = 0.0;       ///< mm/min, of ,F; 0: not given
 };
 
 }  // namespace kerf::melsec

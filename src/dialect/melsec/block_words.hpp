@@ -14,6 +14,8 @@ namespace kerf::melsec {
 
 // One-shot codes, as sets of one.
 inline constexpr CodeSet kDwell = set_of(code(4));
+inline constexpr CodeSet kCornerVector = set_of(code(38));
+inline constexpr CodeSet kCornerArc = set_of(code(39));
 inline constexpr CodeSet kExactStop = set_of(code(9));
 inline constexpr CodeSet kLocalSystem = set_of(code(52));
 inline constexpr CodeSet kMachineMove = set_of(code(53));

@@ -34,8 +34,31 @@ FeedPolicy feed_policy(const Settings& settings) {
   return policy;
 }
 
-ToolpathPolicy toolpath_policy(const Settings&) {
+InterferenceCheck interference_check(std::string_view word) {
+  if (word == "alarm") return InterferenceCheck::alarm;
+  return word == "avoid" ? InterferenceCheck::avoid : InterferenceCheck::none;
+}
+
+ToolpathPolicy toolpath_policy(const Settings& settings) {
   ToolpathPolicy policy;
+  const bool type_b = settings.text("melsec.work.tool_radius_compensation_type") == "B";
+  policy.compensation.start_type = type_b ? StartType::B : StartType::A;
+  policy.compensation.small_angle_deg = 0.0;
+  policy.compensation.joint_gap_mm = settings.number("melsec.system.arc_deviation");
+  policy.compensation.blocks_without_motion = 4;
+  policy.compensation.type_b_beside = true;
+  policy.compensation.joints_belong_to_next = true;
+  policy.compensation.start_waits = true;
+  policy.compensation.resumes_unjoined = true;
+  policy.compensation.changes_in_force = true;
+  policy.compensation.starts_at_rest = true;
+  policy.compensation.stop_ends_look_ahead = true;
+  policy.compensation.corner_arc_inside = true;
+  policy.compensation.small_arcs_turn_over = true;
+  policy.compensation.drops_whole_turns = true;
+  policy.compensation.stops_before_fault = true;
+  policy.compensation.interference = interference_check(settings.text("melsec.work.interference_check"));
+  policy.compensation.interference_alarm = &alarm_kind("031EH");
   policy.compensation.start_with_arc = &alarm_kind("0315H");
   policy.compensation.end_with_arc = &alarm_kind("0315H");
   policy.compensation.inner_arc_radius = &alarm_kind("031EH");

@@ -48,8 +48,7 @@ bool BlockRun::combinations() {
 
 /// Codes of the groups that are not carried out so far; their cancel codes are the state they start in.
 bool BlockRun::unfinished_codes() {
-  constexpr CodeSet kUnfinished = set_of(code(38)) | set_of(code(39)) | set_of(code(41)) | set_of(code(42)) |
-                                  set_of(code(41, 1)) | set_of(code(42, 1)) | set_of(code(12, 1));
+  constexpr CodeSet kUnfinished = set_of(code(41, 1)) | set_of(code(42, 1)) | set_of(code(12, 1));
   constexpr CodeSet kNormalLine = set_of(code(41, 1)) | set_of(code(42, 1));
   constexpr CodeSet kPolar = set_of(code(12, 1));
   if ((words_.codes() & kUnfinished) == 0) return true;
@@ -69,7 +68,7 @@ bool BlockRun::modal() {
   // Entering and leaving high-accuracy control makes a deceleration check.
   const bool entered = registers.modal[Group::path_mode] == code(61, 1);
   if (entered != (before == code(61, 1))) registers.placement.rest_wanted = true;
-  return length_offset() && rotation();
+  return length_offset() && radius_compensation() && rotation();
 }
 
 /// D and H, which must name a compensation even where they have no effect; beside M98 H is a sequence number.

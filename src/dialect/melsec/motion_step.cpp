@@ -90,6 +90,9 @@ bool BlockRun::push(MoveMode mode, const AxisVector& end, const AxisVector& comm
     return refuse("0310H", block_.span,
                   FixedText<200>::format("The path of the block is {:.4f} mm long.", length_of(move)));
   }
+  if (!compensate(move)) return false;
+  // Where the radius compensation moves the tool only the toolpath knows, and it checks the travel then.
+  if (move.compensation.side != Side::none) return true;
   const Travel& travel = rules_.travel();
   if (travel.contains(move)) return true;
   const auto excess = travel.leaving(move);
@@ -114,11 +117,16 @@ bool BlockRun::motion() {
     const bool arc_words = !words_.axes().empty() || words_.find('I') != nullptr ||
                            words_.find('J') != nullptr || words_.find('K') != nullptr ||
                            words_.find('R') != nullptr;
-    return !arc_words || arc();
+    if (arc_words && !arc()) return false;
+    corner_arc();
+    return true;
   }
-  if (words_.axes().empty()) return true;
+  if (words_.axes().empty()) return compensation_at_rest();
   AxisVector target = registers.position;
-  return targets(target) && straight(mode == code(0) ? MoveMode::rapid : MoveMode::linear, target);
+  if (!targets(target)) return false;
+  if (!straight(mode == code(0) ? MoveMode::rapid : MoveMode::linear, target)) return false;
+  corner_arc();
+  return true;
 }
 
 bool BlockRun::straight(MoveMode mode, const AxisVector& target) {

@@ -70,9 +70,12 @@ State Rules::initial_state() const {
   for (const Axis axis : machine_.axes) state.registers.position[axis] = machine_[axis].start;
   state.tables.work_offsets = machine_.work_offsets;
   state.tables.length.assign(static_cast<std::size_t>(kCompensations) + 1, 0.0);
+  state.tables.radius = state.tables.length;
   for (const Tool& tool : machine_.tools) {
-    if (tool.number > 0 && tool.number <= kCompensations)
-      state.tables.length[static_cast<std::size_t>(tool.number)] = tool.length;
+    if (tool.number <= 0 || tool.number > kCompensations) continue;
+    const auto number = static_cast<std::size_t>(tool.number);
+    state.tables.length[number] = tool.length;
+    state.tables.radius[number] = settings_.diameters ? tool.radius / 2.0 : tool.radius;
   }
   state.variables = MacroVariables(settings_.variables);
   return state;
@@ -93,7 +96,7 @@ void Rules::begin_program(State& state) const {
   r.modal.set(Group::polar, code(13, 1));
   r.placement = {};
   r.placement.machine = r.position;
-  r.length_number = -1;
+  r.length_number = r.radius_number = -1;
   r.feed_given = false;
   r.feed = 0.0;
   r.program = r.sequence_number = -1;

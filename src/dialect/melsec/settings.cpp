@@ -28,6 +28,7 @@ ControllerSettings controller_settings(const Settings& s) {
     if (type != "linear") c.endless.insert(axis);
     if (type == "shortcut-valid") c.shortest.insert(axis);
   }
+  c.diameters = s.text("melsec.work.radius_or_diameter") == "diameter";
   c.keep_arguments = s.boolean("melsec.keep_arguments");
   return c;
 }

@@ -30,6 +30,7 @@ struct ControllerSettings {
   bool axis_tolerance = false;        ///< tolerable acceleration control for each axis
   bool rotation_takes_start = false;  ///< coordinate rotation type 1: the start point turns along
   bool keep_arguments = false;
+  bool diameters = false;  ///< the amounts of the D numbers are diameters
 };
 
 std::span<const Parameter> parameters();

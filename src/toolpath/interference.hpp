@@ -1,0 +1,28 @@
+#pragma once
+// Interference of the tool radius compensation: points of two neighbouring corners between which the tool
+// would run back along the block that joins them (MELSEC 6.4, interference check).
+
+#include <cstdint>
+#include <optional>
+
+#include "toolpath/corner.hpp"
+
+namespace kerf {
+
+enum class Interference : std::uint8_t {
+  none,
+  partly,  ///< the points that interfered are gone
+  wholly,  ///< so would be all points of a corner: the corners are left as they were
+};
+
+/// Looks at the corner where a segment begins and at the one where it ends. From the outermost points
+/// inwards, the first pair whose way runs against the segment and all points inside of it are removed; where
+/// one corner has more points than the other, its inner ones first. Points that the program commands stay.
+Interference remove_interference(Corner& begin, const OffsetSegment& segment, Corner& end);
+
+/// Where the path beside the segment before meets that beside the segment behind; nothing when they do not
+/// meet, or only where the tool would have to run back along one of them. `from` is where the tool enters the
+/// first.
+std::optional<Vec2> avoiding_point(const OffsetSegment& before, Vec2 from, const OffsetSegment& behind);
+
+}  // namespace kerf
