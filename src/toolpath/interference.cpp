@@ -67,7 +67,10 @@ std::optional<Vec2> avoiding_point(const OffsetSegment& before, Vec2 from, const
       behind.programmed.is_arc ? behind.offset : offset_segment(behind.programmed, behind.left_mm);
   const auto point = nearest_point(meeting_of_curves(first, next), before.programmed.end);
   if (!point) return std::nullopt;
-  if (runs_back(before, from, *point) || runs_back(behind, *point, behind.offset.end)) return std::nullopt;
+  const bool on_first = !runs_back(before, from, *point) && !runs_back(before, *point, before.offset.end);
+  const bool on_next =
+      !runs_back(behind, behind.offset.start, *point) && !runs_back(behind, *point, behind.offset.end);
+  if (!on_first || !on_next) return std::nullopt;
   return point;
 }
 

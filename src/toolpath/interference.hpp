@@ -21,8 +21,7 @@ enum class Interference : std::uint8_t {
 Interference remove_interference(Corner& begin, const OffsetSegment& segment, Corner& end);
 
 /// Where the path beside the segment before meets that beside the segment behind; nothing when they do not
-/// meet, or only where the tool would have to run back along one of them. `from` is where the tool enters the
-/// first.
+/// meet, or only before their starts or behind their ends. `from` is where the tool enters the first.
 std::optional<Vec2> avoiding_point(const OffsetSegment& before, Vec2 from, const OffsetSegment& behind);
 
 }  // namespace kerf

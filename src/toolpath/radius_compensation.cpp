@@ -358,8 +358,10 @@ bool RadiusCompensationPass::interferes(Corner& corner, const Action& action, co
   if (!before_ || policy_.interference == InterferenceCheck::none) return false;
   const Origin& first = before_->action.origin;
   if (action.origin.block > first.block + policy_.interference_blocks) return false;
-  if (remove_interference(before_->corner, held_segment_, corner) != Interference::wholly) {
-    held_segment_.offset.start = before_->corner.points.back();
+  const Interference found = remove_interference(before_->corner, held_segment_, corner);
+  if (found == Interference::none) return false;
+  if (found == Interference::partly) {
+    held_segment_.offset = straight(before_->corner.points.back(), corner.points[0]);
     return false;
   }
   if (policy_.interference == InterferenceCheck::avoid) {
