@@ -95,14 +95,16 @@ struct Move {
   bool axis_words = true;   ///< the block names an axis of the plane, even when the distance is zero
   bool each_axis = false;  ///< of a rapid move: every axis goes by itself, as fast as it may (AxisMotionPass)
   bool passes_on = false;  ///< of such a move: its next leg goes on without a rest between
+  Side normal_line = Side::none;  ///< a rotary axis keeps the tool square to the path, on this side of it
   Axis last_axis = Axis::X;  ///< of such a move's legs: the axis that arrives last, and moves in all of them
   Plane plane = kPlaneXY;
   RadiusCompensation compensation;
   RotaryFeed rotary_feed;
-  AxisVector start;      ///< machine coordinates; where the tool reference point really is
-  AxisVector end;        ///< machine coordinates
-  AxisVector commanded;  ///< end in the coordinate system the block was written in, before tool
-                         ///< compensations: the workpiece coordinate system, or the machine's for G53
+  AxisVector start;          ///< machine coordinates; where the tool reference point really is
+  AxisVector end;            ///< machine coordinates
+  AxisVector commanded;      ///< end in the coordinate system the block was written in, before tool
+                             ///< compensations: the workpiece coordinate system, or the machine's for G53
+  double normal_zero = 0.0;  ///< with normal_line: machine coordinate of its axis at 0 degrees, degrees
   double feed = 0.0;  ///< programmed mm/min, before override; of a rapid move the highest speed of any axis,
                       ///< 0: the axes' own
   Arc arc;            ///< only when is_arc(mode)

@@ -11,6 +11,8 @@ Move& push_pathless(MoveMode mode, double feed, ActionQueue& queue) {
   move.axis_words = true;
   move.each_axis = false;
   move.passes_on = false;
+  move.normal_line = Side::none;
+  move.normal_zero = 0.0;
   move.last_axis = Axis::X;
   move.plane = kPlaneXY;
   move.compensation = {};

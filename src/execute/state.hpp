@@ -81,6 +81,7 @@ struct Registers {
   std::int32_t sequence_number = -1;
   std::uint32_t outputs = 0;  ///< switched functions, a bit each; which is which is the dialect's business
   bool feed_given = false;
+  bool normal_line_on = false;  ///< the axis of normal line control stands square to the path
   bool spindle_on = false;
   bool unit_locked = false;  ///< a motion or coordinate setting was executed
   bool offset_return_pending =

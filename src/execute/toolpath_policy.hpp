@@ -4,8 +4,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "base/alarm.hpp"
+#include "base/axis.hpp"
 
 namespace kerf {
 
@@ -51,6 +53,18 @@ struct RadiusCompensationPolicy {
   const AlarmKind* corner_arc_outside = nullptr;  ///< corner arc while not in force
 };
 
+/// A rotary axis that keeps the tool at right angles to the path (MELSEC 6.6). Degrees.
+struct NormalLinePolicy {
+  std::optional<Axis> axis;  ///< none: there is no such control
+  bool one_way = false;      ///< type II: the axis turns at joints as the side says, and the tip has the feed
+  double least_angle_deg = 0.0;          ///< smaller turns at joints are left out
+  double least_way_mm = 0.0;             ///< shorter moves turn nothing
+  double turning_speed = 0.0;            ///< degree/min at joints, type I
+  double tool_radius_mm = 0.0;           ///< from the centre of the axis to the tip, type II
+  double insert_radius_mm = 0.0;         ///< of arcs put into corners, type I; 0: none
+  const AlarmKind* wrong_way = nullptr;  ///< must be given with an axis
+};
+
 /// Travel of the axes.
 struct TravelLimitPolicy {
   const AlarmKind* over_travel = nullptr;  ///< must be given unless nothing but lines is clipped
@@ -60,6 +74,7 @@ struct TravelLimitPolicy {
 /// What a dialect lays down for the passes.
 struct ToolpathPolicy {
   RadiusCompensationPolicy compensation;
+  NormalLinePolicy normal_line;
   TravelLimitPolicy limits;
 };
 

@@ -2,13 +2,16 @@
 // The passes between the interpreter and the planner, in their order.
 
 #include "toolpath/axis_motion.hpp"
+#include "toolpath/corner_rounding.hpp"
+#include "toolpath/normal_line_pass.hpp"
 #include "toolpath/radius_compensation.hpp"
 #include "toolpath/travel_limits.hpp"
 
 namespace kerf {
 
 /// The toolpath of an upstream whose `next()` gives the actions of a program (nullptr at the end, and again
-/// after it): compensated, checked against the travel of the axes,
+/// after it): corners rounded, compensated, with the axis of normal
+/// line control, checked against the travel of the axes,
 /// and made moves of the axes. Allocates nothing after construction.
 /// Too large for a small stack (about 100 kB).
 template <class Upstream>
@@ -16,8 +19,10 @@ class Toolpath {
  public:
   /// Upstream must outlive the toolpath.
   Toolpath(Upstream& upstream, const Machine& machine, const ToolpathPolicy& policy)
-      : compensated_{&upstream, RadiusCompensationPass(policy.compensation)},
-        limited_{&compensated_, TravelLimitPass(machine, policy.limits)},
+      : rounded_{&upstream, CornerRounding(policy.normal_line)},
+        compensated_{&rounded_, RadiusCompensationPass(policy.compensation)},
+        turned_{&compensated_, NormalLinePass(machine, policy.normal_line)},
+        limited_{&turned_, TravelLimitPass(machine, policy.limits)},
         axes_(machine) {}
 
   Toolpath(const Toolpath&) = delete;
@@ -35,31 +40,35 @@ class Toolpath {
   /// After an alarm: goes on with the next block.
   void recover() {
     stopped_ = false;
-    if constexpr (requires { compensated_.upstream->recover(); }) compensated_.upstream->recover();
+    if constexpr (requires { rounded_.upstream->recover(); }) rounded_.upstream->recover();
   }
 
   /// Back to the start, for a program that begins anew.
   void reset() {
+    rounded_.pass.reset();
     compensated_.pass.reset();
+    turned_.pass.reset();
     limited_.pass.reset();
     axes_.reset();
     stopped_ = false;
   }
 
  private:
-  struct Compensated {
-    Upstream* upstream;
-    RadiusCompensationPass pass;
+  /// A pass with what stands in front of it.
+  template <class Before, class Pass>
+  struct Stage {
+    Before* upstream;
+    Pass pass;
     const Action* next() { return pass.next(*upstream); }
   };
+  using Rounded = Stage<Upstream, CornerRounding>;
+  using Compensated = Stage<Rounded, RadiusCompensationPass>;
+  using Turned = Stage<Compensated, NormalLinePass>;
+  using Limited = Stage<Turned, TravelLimitPass>;
 
-  struct Limited {
-    Compensated* upstream;
-    TravelLimitPass pass;
-    const Action* next() { return pass.next(*upstream); }
-  };
-
+  Rounded rounded_;
   Compensated compensated_;
+  Turned turned_;
   Limited limited_;
   AxisMotionPass axes_;
   bool stopped_ = false;

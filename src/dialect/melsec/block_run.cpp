@@ -17,10 +17,13 @@ BlockRun::BlockRun(const Rules& rules, const Block& block, State& state, ActionQ
 
 bool BlockRun::run() {
   if (!words_.collect(block_, registers.modal[Group::distance], rules_.line(), alarm)) return false;
-  if (words_.axes().size() > kContouringAxes) return refuse("0302H", block_.span);
+  take_normal_line_axis();
+  if (words_.axes().size() > kContouringAxes - (turns_along_ ? 1 : 0)) return refuse("0302H", block_.span);
   if (!combinations() || !compensation_numbers() || !unfinished_codes() || !feed() || !modal()) return false;
   for (const std::int32_t number : words_.auxiliaries()) queue_.push<Auxiliary>().code = number;
-  return operation() && program_code();
+  if (!operation()) return false;
+  if (ends_normal_line_) registers.placement.rest_wanted = true;
+  return program_code();
 }
 
 bool BlockRun::refuse(std::string_view detail, const SourceSpan& where, const FixedText<200>& message) {
@@ -124,6 +127,7 @@ bool BlockRun::program_code() {
 void BlockRun::take_over() {
   if (!words_.collect(block_, registers.modal[Group::distance], rules_.line(), alarm)) return;
   taking_over_ = true;
+  take_normal_line_axis();
   registers.feed_given = true;  // that it is missing is said once
   modal();
   take_over_operation();

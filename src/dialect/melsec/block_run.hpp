@@ -52,6 +52,9 @@ class BlockRun {
   bool rotation_center(Axis axis, double& center);
   bool rotation_angle(double& angle);
   const Word& last_code(CodeSet codes) const;
+  // normal_line_step.cpp
+  void take_normal_line_axis();
+  void turn_along(Move& move);
   // radius_step.cpp
   bool radius_compensation();
   bool compensate(Move& move);
@@ -93,9 +96,12 @@ class BlockRun {
   ActionQueue& queue_;
   FlowRequest& flow_;
   BlockWords words_;
-  bool taking_over_ = false;      ///< a refused block: nothing is pushed, and no move is refused again
-  bool was_compensated_ = false;  ///< before the block
-  double rapid_feed_ = 0.0;       ///< mm/min, of ,F; 0: not given
+  bool taking_over_ = false;       ///< a refused block: nothing is pushed, and no move is refused again
+  bool turns_along_ = false;       ///< under normal line control
+  bool ends_normal_line_ = false;  ///< which is a stop
+  std::optional<double> turned_;   ///< where the move leaves the axis of normal line control
+  bool was_compensated_ = false;   ///< before the block
+  double rapid_feed_ = 0.0;        ///< mm/min, of ,F; 0: not given
 };
 
 }  // namespace kerf::melsec

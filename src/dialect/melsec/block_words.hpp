@@ -61,6 +61,8 @@ class BlockWords {
   const Word* rapid_feed() const { return rapid_feed_; }
   const AxisWord& axis(Axis axis) const { return axes_[index(axis)]; }
   AxisSet axes() const { return named_; }
+  /// Takes no notice of the words of an axis.
+  void ignore(Axis axis) { named_.erase(axis); }
   ProgramCode program_code() const { return program_code_; }
   /// M codes for the machine, of the last four M codes of the block.
   const FixedVector<std::int32_t, kAuxiliaries>& auxiliaries() const { return auxiliaries_; }

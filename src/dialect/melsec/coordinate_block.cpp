@@ -12,6 +12,7 @@ namespace {
 bool straight_in_force(const Registers& registers) {
   const Placement& placement = registers.placement;
   if (registers.modal[Group::radius_compensation] != code(40)) return false;
+  if (registers.modal[Group::normal_line] != code(40, 1)) return false;
   if (placement.rotation.active || placement.absolute_wanted || placement.rest_wanted) return false;
   const CodeNumber motion = registers.modal[Group::motion];
   return motion == code(0) || (motion == code(1) && registers.feed_given);

@@ -46,25 +46,29 @@ bool BlockRun::combinations() {
   return in_modal.detail.empty() || refuse(in_modal.detail, span(last_code(in_modal.commanded)));
 }
 
-/// Codes of the groups that are not carried out so far; their cancel codes are the state they start in.
+/// Codes that need an axis of their own, and those that are not carried out so far; the cancel codes of these
+/// are the state they start in.
 bool BlockRun::unfinished_codes() {
-  constexpr CodeSet kUnfinished = set_of(code(41, 1)) | set_of(code(42, 1)) | set_of(code(12, 1));
   constexpr CodeSet kNormalLine = set_of(code(41, 1)) | set_of(code(42, 1));
   constexpr CodeSet kPolar = set_of(code(12, 1));
-  if ((words_.codes() & kUnfinished) == 0) return true;
+  if ((words_.codes() & (kNormalLine | kPolar)) == 0) return true;
   const ControllerSettings& settings = rules_.settings();
-  if ((words_.codes() & kNormalLine) != 0 && !settings.normal_line)
+  if ((words_.codes() & kNormalLine) != 0 && !settings.normal_line.axis)
     return refuse("031BH", span(last_code(kNormalLine)));
-  if ((words_.codes() & kPolar) != 0 && !(settings.polar_linear && settings.polar_rotary))
-    return refuse("0325H", span(last_code(kPolar)));
-  return refuse("unfinished-code", span(last_code(kUnfinished)));
+  if ((words_.codes() & kPolar) == 0) return true;
+  if (!(settings.polar_linear && settings.polar_rotary)) return refuse("0325H", span(last_code(kPolar)));
+  return refuse("unfinished-code", span(last_code(kPolar)));
 }
 
 bool BlockRun::modal() {
   const CodeNumber before = registers.modal[Group::path_mode];
-  for (Group group : {Group::motion, Group::plane, Group::distance, Group::work_system, Group::path_mode}) {
+  ends_normal_line_ =
+      words_[Group::normal_line] == code(40, 1) && registers.modal[Group::normal_line] != code(40, 1);
+  for (Group group : {Group::motion, Group::plane, Group::distance, Group::work_system, Group::path_mode,
+                      Group::normal_line}) {
     if (words_.has(group)) registers.modal.set(group, words_[group]);
   }
+  if (registers.modal[Group::normal_line] == code(40, 1)) registers.normal_line_on = false;
   // Entering and leaving high-accuracy control makes a deceleration check.
   const bool entered = registers.modal[Group::path_mode] == code(61, 1);
   if (entered != (before == code(61, 1))) registers.placement.rest_wanted = true;

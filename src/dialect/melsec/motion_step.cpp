@@ -91,6 +91,7 @@ bool BlockRun::push(MoveMode mode, const AxisVector& end, const AxisVector& comm
                   FixedText<200>::format("The path of the block is {:.4f} mm long.", length_of(move)));
   }
   if (!compensate(move)) return false;
+  turn_along(move);
   // Where the radius compensation moves the tool only the toolpath knows, and it checks the travel then.
   if (move.compensation.side != Side::none) return true;
   const Travel& travel = rules_.travel();
@@ -107,6 +108,9 @@ void BlockRun::arrive(const AxisVector& programmed, AxisSet named) {
   registers.position = programmed;
   placement.machine = machine_position(placement, programmed, moving);
   for (const Axis axis : moving) placement.length_taken[axis] = placement.length[axis];
+  if (!turned_) return;
+  const Axis axis = *rules_.settings().normal_line.axis;
+  registers.position[axis] = placement.machine[axis] = *turned_;
 }
 
 bool BlockRun::motion() {

@@ -97,7 +97,7 @@ void Rules::begin_program(State& state) const {
   r.placement = {};
   r.placement.machine = r.position;
   r.length_number = r.radius_number = -1;
-  r.feed_given = false;
+  r.feed_given = r.normal_line_on = false;
   r.feed = 0.0;
   r.program = r.sequence_number = -1;
   state.tables.local_offsets = {};

@@ -1,5 +1,6 @@
 #include "dialect/melsec/settings.hpp"
 
+#include "dialect/melsec/alarms.hpp"
 #include "execute/code_table.hpp"
 
 namespace kerf::melsec {
@@ -13,7 +14,7 @@ ControllerSettings controller_settings(const Settings& s) {
   c.arc_center_compensation = s.number("melsec.system.arc_center_compensation");
   c.base = {axis_of(s.text("melsec.system.base_axis_i")), axis_of(s.text("melsec.system.base_axis_j")),
             axis_of(s.text("melsec.system.base_axis_k"))};
-  c.normal_line = axis_of(s.text("melsec.system.normal_line_axis"));
+  c.normal_line = normal_line_policy(s);
   c.polar_linear = axis_of(s.text("melsec.system.polar_linear_axis"));
   c.polar_rotary = axis_of(s.text("melsec.system.polar_rotary_axis"));
   c.variables.common =
@@ -31,6 +32,19 @@ ControllerSettings controller_settings(const Settings& s) {
   c.diameters = s.text("melsec.work.radius_or_diameter") == "diameter";
   c.keep_arguments = s.boolean("melsec.keep_arguments");
   return c;
+}
+
+NormalLinePolicy normal_line_policy(const Settings& s) {
+  NormalLinePolicy policy;
+  policy.axis = axis_of(s.text("melsec.system.normal_line_axis"));
+  policy.one_way = s.text("melsec.system.normal_line_type") == "II";
+  policy.least_angle_deg = s.number("melsec.system.normal_line_min_angle");
+  policy.least_way_mm = s.number("melsec.system.normal_line_min_move");
+  policy.turning_speed = s.number("melsec.system.normal_line_rotating_speed");
+  policy.tool_radius_mm = s.number("melsec.system.normal_line_radius");
+  policy.insert_radius_mm = s.number("melsec.system.normal_line_insert_radius");
+  policy.wrong_way = &alarm_kind("0103H");
+  return policy;
 }
 
 }  // namespace kerf::melsec

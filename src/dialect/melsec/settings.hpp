@@ -8,6 +8,7 @@
 #include "base/axis.hpp"
 #include "execute/macro_variables.hpp"
 #include "execute/modal.hpp"
+#include "execute/toolpath_policy.hpp"
 #include "machine/parameter.hpp"
 #include "machine/settings.hpp"
 
@@ -20,8 +21,8 @@ struct ControllerSettings {
   double arc_deviation = 0.01;              ///< mm
   double arc_center_compensation = 0.0;     ///< mm; below 0: none, 0: two least increments
   std::array<std::optional<Axis>, 3> base;  ///< I, J, K
-  std::optional<Axis> normal_line;          ///< axis of normal line control
-  std::optional<Axis> polar_linear;         ///< axes of polar coordinate interpolation
+  NormalLinePolicy normal_line;
+  std::optional<Axis> polar_linear;  ///< axes of polar coordinate interpolation
   std::optional<Axis> polar_rotary;
   AxisSet endless;   ///< rotation axes of type 0 and 1
   AxisSet shortest;  ///< those of type 1: absolute values are reached the shorter way
@@ -44,5 +45,6 @@ std::span<const KeyAlarm> key_alarms();
 /// The parameters of the manual that a shared key sets.
 std::span<const SharedName> shared_names();
 ControllerSettings controller_settings(const Settings& settings);
+NormalLinePolicy normal_line_policy(const Settings& settings);
 
 }  // namespace kerf::melsec
