@@ -26,6 +26,22 @@ bool runs_back(const OffsetSegment& segment, Vec2 from, Vec2 to) {
   return advance_along(segment, from, to) < -kBack;
 }
 
+/// The point of the straight way that is nearest to another point.
+Vec2 foot_between(Vec2 from, Vec2 to, Vec2 point) {
+  const Vec2 way = to - from;
+  const double square = dot(way, way);
+  return from + (square > 0.0 ? std::clamp(dot(point - from, way) / square, 0.0, 1.0) : 0.0) * way;
+}
+
+double distance_to_way(Vec2 from, Vec2 to, Vec2 point) {
+  return distance(point, foot_between(from, to, point));
+}
+
+bool is_beside(const PlanarSegment& arc, Vec2 point) {
+  const double turn = ahead_deg(arc.start - arc.center, point - arc.center, arc.sweep_deg < 0.0);
+  return (turn < 0.0 ? turn + 360.0 : turn) <= std::abs(arc.sweep_deg);
+}
+
 /// Keeps the first `count` points.
 void keep_first(Corner& corner, std::size_t count) {
   corner.points.resize(count);
@@ -40,12 +56,29 @@ void keep_last(Corner& corner, std::size_t count) {
 
 }  // namespace
 
+bool keeps_clear(const OffsetSegment& segment, Vec2 from, Vec2 to) {
+  const PlanarSegment& block = segment.programmed;
+  const double tool = std::abs(segment.left_mm) - kBack;
+  if (distance_to_way(from, to, block.start) < tool || distance_to_way(from, to, block.end) < tool)
+    return false;
+  const auto too_near = [&](Vec2 point) {
+    if (!block.is_arc) return distance_to_way(block.start, block.end, point) < tool;
+    return is_beside(block, point) && std::abs(distance(point, block.center) - block.radius) < tool;
+  };
+  if (too_near(from) || too_near(to)) return false;
+  const bool passes_center = distance(from, to) > kBack;
+  return !block.is_arc || !passes_center || !too_near(foot_between(from, to, block.center));
+}
+
 Interference remove_interference(Corner& begin, const OffsetSegment& segment, Corner& end) {
   std::size_t first = begin.points.size();
   std::size_t last = end.points.size();
   const auto good = [&] {
-    return first > 0 && last > 0 &&
-           !runs_back(segment, begin.points[first - 1], end.points[end.points.size() - last]);
+    if (first == 0 || last == 0) return false;
+    const Vec2 from = begin.points[first - 1];
+    const Vec2 to = end.points[end.points.size() - last];
+    const bool whole = first == begin.points.size() && last == end.points.size();
+    return !runs_back(segment, from, to) && (whole || keeps_clear(segment, from, to));
   };
   if (good() || (begin.fixed && end.fixed)) return Interference::none;
   while (first > 0 && last > 0 && !good()) {
