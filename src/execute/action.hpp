@@ -100,10 +100,12 @@ struct Move {
   Plane plane = kPlaneXY;
   RadiusCompensation compensation;
   RotaryFeed rotary_feed;
-  AxisVector start;          ///< machine coordinates; where the tool reference point really is
-  AxisVector end;            ///< machine coordinates
-  AxisVector commanded;      ///< end in the coordinate system the block was written in, before tool
-                             ///< compensations: the workpiece coordinate system, or the machine's for G53
+  AxisVector start;      ///< machine coordinates; where the tool reference point really is
+  AxisVector end;        ///< machine coordinates
+  AxisVector commanded;  ///< end in the coordinate system the block was written in, before tool
+                         ///< compensations: the workpiece coordinate system, or the machine's for G53
+  double inner_corner_deg = 0.0;  ///< of a compensated move: angle of the inner corner at its end, on the
+                                  ///< tool's side; 0: there is none between cutting moves
   double normal_zero = 0.0;  ///< with normal_line: machine coordinate of its axis at 0 degrees, degrees
   double feed = 0.0;  ///< programmed mm/min, before override; of a rapid move the highest speed of any axis,
                       ///< 0: the axes' own

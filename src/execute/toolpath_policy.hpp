@@ -65,6 +65,17 @@ struct NormalLinePolicy {
   const AlarmKind* wrong_way = nullptr;  ///< must be given with an axis
 };
 
+/// Slower before inner corners (MELSEC 5.6, G62): in moves of PathMode::corner_override.
+struct CornerOverridePolicy {
+  double percent = 100.0;   ///< of the feed; 0 and 100: nothing is slowed
+  double widest_deg = 0.0;  ///< corners up to this angle; 0 and 180: none
+  double length_mm = 0.0;   ///< along the tool's path before the corner; 0: none
+
+  bool is_on() const {
+    return percent > 0.0 && percent < 100.0 && widest_deg > 0.0 && widest_deg < 180.0 && length_mm > 0.0;
+  }
+};
+
 /// Travel of the axes.
 struct TravelLimitPolicy {
   const AlarmKind* over_travel = nullptr;  ///< must be given unless nothing but lines is clipped
@@ -74,6 +85,7 @@ struct TravelLimitPolicy {
 /// What a dialect lays down for the passes.
 struct ToolpathPolicy {
   RadiusCompensationPolicy compensation;
+  CornerOverridePolicy corner_override;
   NormalLinePolicy normal_line;
   TravelLimitPolicy limits;
 };

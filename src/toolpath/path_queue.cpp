@@ -27,6 +27,7 @@ void PathQueue::add_joint(const Origin& origin, const Move& like, const AxisVect
   Move joint = like;
   if (is_arc(like.mode)) joint.mode = MoveMode::linear;
   joint.rotary_feed = {};
+  joint.inner_corner_deg = 0.0;
   joint.arc = {};
   joint.end = end;
   add_move(origin, joint);

@@ -117,6 +117,7 @@ class RadiusCompensationPass {
   void leave_before();
   void add_corner(const Action& action, const OffsetSegment& segment, const Corner& corner,
                   const Action& next);
+  void note_inner_corner(const Move& move, const OffsetSegment& next);
   bool interferes(Corner& corner, const Action& action, const OffsetSegment& next);
   void leave_held_at_right_angles();
   void settle();

@@ -2,6 +2,7 @@
 // The passes between the interpreter and the planner, in their order.
 
 #include "toolpath/axis_motion.hpp"
+#include "toolpath/corner_override.hpp"
 #include "toolpath/corner_rounding.hpp"
 #include "toolpath/normal_line_pass.hpp"
 #include "toolpath/radius_compensation.hpp"
@@ -10,8 +11,8 @@
 namespace kerf {
 
 /// The toolpath of an upstream whose `next()` gives the actions of a program (nullptr at the end, and again
-/// after it): corners rounded, compensated, with the axis of normal
-/// line control, checked against the travel of the axes,
+/// after it): corners rounded, compensated, slowed before inner
+/// corners, with the axis of normal line control, checked against the travel of the axes,
 /// and made moves of the axes. Allocates nothing after construction.
 /// Too large for a small stack (about 100 kB).
 template <class Upstream>
@@ -21,7 +22,8 @@ class Toolpath {
   Toolpath(Upstream& upstream, const Machine& machine, const ToolpathPolicy& policy)
       : rounded_{&upstream, CornerRounding(policy.normal_line)},
         compensated_{&rounded_, RadiusCompensationPass(policy.compensation)},
-        turned_{&compensated_, NormalLinePass(machine, policy.normal_line)},
+        slowed_{&compensated_, CornerOverridePass(policy.corner_override)},
+        turned_{&slowed_, NormalLinePass(machine, policy.normal_line)},
         limited_{&turned_, TravelLimitPass(machine, policy.limits)},
         axes_(machine) {}
 
@@ -47,6 +49,7 @@ class Toolpath {
   void reset() {
     rounded_.pass.reset();
     compensated_.pass.reset();
+    slowed_.pass.reset();
     turned_.pass.reset();
     limited_.pass.reset();
     axes_.reset();
@@ -63,11 +66,13 @@ class Toolpath {
   };
   using Rounded = Stage<Upstream, CornerRounding>;
   using Compensated = Stage<Rounded, RadiusCompensationPass>;
-  using Turned = Stage<Compensated, NormalLinePass>;
+  using Slowed = Stage<Compensated, CornerOverridePass>;
+  using Turned = Stage<Slowed, NormalLinePass>;
   using Limited = Stage<Turned, TravelLimitPass>;
 
   Rounded rounded_;
   Compensated compensated_;
+  Slowed slowed_;
   Turned turned_;
   Limited limited_;
   AxisMotionPass axes_;

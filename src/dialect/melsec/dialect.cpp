@@ -65,6 +65,9 @@ ToolpathPolicy toolpath_policy(const Settings& settings) {
   policy.compensation.no_crossover = &alarm_kind("031DH");
   policy.compensation.side_change = &alarm_kind("0306H");
   policy.compensation.corner_arc_outside = &alarm_kind("0306H");
+  policy.corner_override = {settings.number("melsec.system.corner_override"),
+                            settings.number("melsec.system.corner_override_max_angle"),
+                            settings.number("melsec.system.corner_override_length")};
   policy.normal_line = normal_line_policy(settings);
   policy.limits = {&alarm_kind("0221H"), false};
   return policy;

@@ -1,0 +1,117 @@
+// Where compensated moves meet, and what is wrong when they do not.
+
+#include <cmath>
+
+#include "toolpath/compensated_move.hpp"
+#include "toolpath/radius_compensation.hpp"
+
+namespace kerf {
+
+Corner RadiusCompensationPass::corner_to(const OffsetSegment& next) const {
+  const RadiusCompensation& own = held_move().compensation;
+  if (own.rule != VectorRule::computed) {
+    Corner corner = corner_at(held_segment_.programmed.end + vector_of(own, left_mm_));
+    corner.fixed = true;
+    return corner;
+  }
+  if (state_ == State::starting)
+    return start_corner(end_tangent(held_segment_.programmed), next, policy_.start_type, rules(),
+                        policy_.type_b_beside);
+  return crossover_corner(held_segment_, next, rules());
+}
+
+// The move held back learns that an inner corner between cutting moves ends it.
+void RadiusCompensationPass::note_inner_corner(const Move& move, const OffsetSegment& next) {
+  Move& held = std::get<Move>(held_.what);
+  const bool cutting = move.mode != MoveMode::rapid && held.mode != MoveMode::rapid;
+  if (!cutting || state_ != State::running || held.compensation.rule != VectorRule::computed) return;
+  const double angle =
+      workpiece_angle_deg(end_tangent(held_segment_.programmed), start_tangent(next.programmed), left_mm_);
+  if (is_inner(angle)) held.inner_corner_deg = 360.0 - angle;
+}
+
+Corner RadiusCompensationPass::corner_to_end(const Move& move) const {
+  if (held_move().compensation.rule != VectorRule::computed) return corner_to({});
+  const Vec2 imagined{move.compensation.direction[0], move.compensation.direction[1]};
+  if (imagined != Vec2{} && state_ != State::starting) return imagined_corner(held_segment_, imagined);
+  const Vec2 direction = plane_direction(plane_, move);
+  if (direction == Vec2{}) return corner_at(held_segment_.offset.end);
+  // Started and ended without a compensated move between: the tool comes to the point beside the start of the
+  // last.
+  if (state_ == State::starting)
+    return corner_at(held_segment_.programmed.end + left_mm_ * left_of(direction));
+  return end_corner(held_segment_, direction, policy_.start_type, rules(), policy_.type_b_beside);
+}
+
+// From the programmed end of a move to the tool.
+Vec2 RadiusCompensationPass::vector_of(const RadiusCompensation& compensation, double left_mm) const {
+  const Vec2 direction = unit(Vec2{compensation.direction[0], compensation.direction[1]});
+  switch (compensation.rule) {
+    case VectorRule::at_right_angles:
+      return left_mm * left_of(direction);
+    case VectorRule::along:
+      return std::abs(left_mm) * direction;
+    case VectorRule::kept:
+      return held_segment_.offset.start - held_segment_.programmed.start;
+    case VectorRule::computed:
+      break;
+  }
+  return {};
+}
+
+// The turn of a corner arc to a direction; none when the corner is an inner one or there is nothing to turn.
+std::optional<RadiusCompensationPass::CornerTurn> RadiusCompensationPass::corner_turn(Vec2 direction) const {
+  if (direction == Vec2{}) return std::nullopt;
+  const Vec2 facing = state_ == State::settled ? facing_ : end_tangent(held_segment_.programmed);
+  const double angle = workpiece_angle_deg(facing, direction, left_mm_);
+  const double turn_angle = 180.0 - angle;
+  if ((is_inner(angle) && !policy_.corner_arc_inside) ||
+      std::abs(left_mm_ * radians(turn_angle)) <= kNoLength)
+    return std::nullopt;
+  return CornerTurn{left_mm_ < 0.0 ? turn_angle : -turn_angle,
+                    held_segment_.programmed.end + left_mm_ * left_of(direction)};
+}
+
+// Blocks strictly between the held move and the next action; a block may give several actions, so the
+// action's own block does not count.
+bool RadiusCompensationPass::look_ahead_fails(const Origin& next) const {
+  if (state_ == State::settled || next.block <= held_.origin.block) return false;
+  std::uint32_t between = next.block - held_.origin.block - 1;
+  if (corner_arc_block_ < next.block && corner_arc_block_ > held_.origin.block) --between;
+  return between >= policy_.blocks_without_motion;
+}
+
+// ---- alarms
+
+void RadiusCompensationPass::raise(const AlarmKind* kind, const Origin& origin,
+                                   const FixedText<200>& message) {
+  if (policy_.stops_before_fault && state_ == State::running) {
+    leave_before();
+    state_ = State::settled;
+  }
+  if (state_ != State::off) settle();
+  drop_corner_arc();
+  out_.add({origin, Alarm{kind, origin.span, message, {}}});
+  turn_off(true);
+  after_alarm_ = true;
+}
+
+void RadiusCompensationPass::raise_corner_fault(const Corner& corner, const Origin& next) {
+  const AxisVector at = held_move().commanded;
+  const FixedText<64> place =
+      FixedText<64>::format("at {}{:.3f} {}{:.3f} with an offset of {:.3f} mm", letter(plane_.first),
+                            at[plane_.first], letter(plane_.second), at[plane_.second], std::abs(left_mm_));
+  if (corner.fault == CornerFault::apart)
+    return raise(policy_.no_crossover, next,
+                 FixedText<200>::format("The offset paths miss each other by {:.3f} mm {}", corner.gap_mm,
+                                        place.view()));
+  if (corner.fault == CornerFault::second_used_up)
+    return raise(policy_.no_crossover, next,
+                 FixedText<200>::format("Nothing is left of the arc behind the corner {}", place.view()));
+  // The move before the corner cannot be made at all.
+  state_ = State::settled;
+  raise(policy_.no_crossover, held_.origin,
+        FixedText<200>::format("Nothing is left of the arc before the corner {}", place.view()));
+}
+
+}  // namespace kerf
