@@ -207,7 +207,7 @@ std::string alarm_of_block(const Controller& controller, const std::string& bloc
   while (const Action* action = program.next()) {
     const auto* alarm = std::get_if<Alarm>(&action->what);
     if (alarm == nullptr) continue;
-    constexpr std::array<std::string_view, 3> kOtherMatters{"unfinished-code", "031BH", "0325H"};
+    constexpr std::array<std::string_view, 2> kOtherMatters{"031BH", "0325H"};
     const bool other =
         std::find(kOtherMatters.begin(), kOtherMatters.end(), alarm->kind->detail) != kOtherMatters.end();
     return other ? std::string() : std::string(alarm->kind->detail);

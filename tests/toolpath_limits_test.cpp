@@ -130,7 +130,7 @@ TEST(Toolpath, ChecksTheCompensatedPath) {
     const Program program = Program().left(offset).to(10, 400).to(20, 400).none().to(30, 390).end();
     ListSource source(program.actions());
     Toolpath toolpath(source, machine(),
-                      {toolpath_test::compensation_policy(), {}, {}, TravelLimitPolicy{&kOverTravel, false}});
+                      {toolpath_test::compensation_policy(), {}, {}, {}, {&kOverTravel, false}});
     std::vector<Action> out;
     while (const Action* action = toolpath.next()) {
       out.push_back(*action);
@@ -146,7 +146,7 @@ TEST(Toolpath, AnAlarmOfAPassIsTheLastAction) {
   const Program program = Program().left(2).to(10, 400).to(20, 390).none().to(30, 390).end();
   ListSource source(program.actions());
   Toolpath toolpath(source, machine(),
-                    {toolpath_test::compensation_policy(), {}, {}, TravelLimitPolicy{&kOverTravel, false}});
+                    {toolpath_test::compensation_policy(), {}, {}, {}, {&kOverTravel, false}});
   std::vector<Action> out;
   while (const Action* action = toolpath.next()) out.push_back(*action);
   EXPECT_EQ(text_of(out), "alarm over-travel");
@@ -156,7 +156,7 @@ TEST(Toolpath, ResetStartsAnew) {
   const Program program = Program().left(2).to(10, 0).to(20, 0);
   ListSource first(program.actions());
   Toolpath toolpath(first, machine(),
-                    {toolpath_test::compensation_policy(), {}, {}, TravelLimitPolicy{&kOverTravel, false}});
+                    {toolpath_test::compensation_policy(), {}, {}, {}, {&kOverTravel, false}});
   EXPECT_NE(toolpath.next(), nullptr);
   toolpath.reset();
   EXPECT_EQ(toolpath.next(), nullptr);  // the move held back is forgotten and the list is at its end

@@ -87,6 +87,28 @@ enum class PathMode : std::uint8_t {
   corner_override,  ///< slower before inner corners
 };
 
+/// How the coordinates of a move in a polar plane are to be read.
+enum class PolarForm : std::uint8_t {
+  none,   ///< no polar plane: every coordinate is that of its axis
+  plane,  ///< that of the rotary axis is the second one of the plane, mm from the centre of rotation
+  axes,   ///< start and end are where the axes stand; between them they run so that the move is the line or
+          ///< arc of the plane
+};
+
+/// A linear and a rotary axis that draw Cartesian figures on the work (polar coordinate interpolation). The
+/// point (x, y) of the plane, in mm from the centre of rotation, lies at the distance and the angle of the
+/// axes: x = r cos a, y = r sin a with r = linear axis - center, a = rotary axis - zero. r keeps its sign.
+/// Arc::center has the first coordinate in machine coordinates of the linear axis and the second in mm from
+/// the centre of rotation.
+struct PolarPlane {
+  PolarForm form = PolarForm::none;
+  bool minus = false;  ///< r <= 0
+  Axis linear = Axis::X;
+  Axis rotary = Axis::C;
+  double center = 0.0;  ///< machine coordinate of the linear axis over the centre of rotation, mm
+  double zero = 0.0;    ///< machine coordinate of the rotary axis at the angle 0, degrees
+};
+
 struct Move {
   MoveMode mode = MoveMode::rapid;
   PathMode path_mode = PathMode::cutting;
@@ -94,19 +116,21 @@ struct Move {
   bool exact_stop = false;  ///< the axes come to rest at the end
   bool axis_words = true;   ///< the block names an axis of the plane, even when the distance is zero
   bool each_axis = false;  ///< of a rapid move: every axis goes by itself, as fast as it may (AxisMotionPass)
-  bool passes_on = false;  ///< of such a move: its next leg goes on without a rest between
+  bool passes_on = false;  ///< of such a move: its next leg goes on without a rest between; of one of
+                           ///< PolarForm::axes: its next piece (PolarPieces)
   Side normal_line = Side::none;  ///< a rotary axis keeps the tool square to the path, on this side of it
   Axis last_axis = Axis::X;  ///< of such a move's legs: the axis that arrives last, and moves in all of them
   Plane plane = kPlaneXY;
   RadiusCompensation compensation;
   RotaryFeed rotary_feed;
+  PolarPlane polar;
   AxisVector start;      ///< machine coordinates; where the tool reference point really is
   AxisVector end;        ///< machine coordinates
   AxisVector commanded;  ///< end in the coordinate system the block was written in, before tool
                          ///< compensations: the workpiece coordinate system, or the machine's for G53
   double inner_corner_deg = 0.0;  ///< of a compensated move: angle of the inner corner at its end, on the
                                   ///< tool's side; 0: there is none between cutting moves
-  double normal_zero = 0.0;  ///< with normal_line: machine coordinate of its axis at 0 degrees, degrees
+  double normal_zero = 0.0;       ///< with normal_line: machine coordinate of its axis at 0 degrees, degrees
   double feed = 0.0;  ///< programmed mm/min, before override; of a rapid move the highest speed of any axis,
                       ///< 0: the axes' own
   Arc arc;            ///< only when is_arc(mode)

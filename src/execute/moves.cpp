@@ -18,6 +18,7 @@ Move& push_pathless(MoveMode mode, double feed, ActionQueue& queue) {
   move.plane = kPlaneXY;
   move.compensation = {};
   move.rotary_feed = {};
+  move.polar = {};
   move.feed = feed;
   move.arc = {};
   return move;

@@ -46,13 +46,27 @@ struct PlaneRotation {
   Turn turn;               ///< by the angle
 };
 
+/// Polar coordinate interpolation: the programmed position of the rotary axis is the second coordinate of the
+/// plane (PolarPlane).
+struct PolarMode {
+  bool on = false;
+  bool minus = false;
+  CodeNumber plane = 0;  ///< selected before
+  double center = 0.0;   ///< as in PolarPlane
+  double zero = 0.0;
+  double angle = 0.0;  ///< of the rotary axis from there, whole turns included, degrees
+  AxisVector length;   ///< tool length offset to go on with behind it
+};
+
 /// What lies between the programmed position and the axes where it is more than an offset of Z: kept by
 /// dialects that turn coordinates and offset the tool's length along any axis.
 struct Placement {
   AxisVector machine;       ///< where the axes stand behind the last move, machine coordinates
   AxisVector length;        ///< mm, the tool length offset in force
   AxisVector length_taken;  ///< mm, the part of `machine` that is tool length offset
+  AxisSet length_left_out;  ///< axes whose last move in machine coordinates took them back from it
   PlaneRotation rotation;
+  PolarMode polar;
   bool absolute_wanted = false;  ///< the next move must be absolute, because the rotation has changed
   bool rest_wanted = false;      ///< the next move begins from rest
 };

@@ -65,6 +65,12 @@ struct NormalLinePolicy {
   const AlarmKind* wrong_way = nullptr;  ///< must be given with an axis
 };
 
+/// A plane of a linear and a rotary axis (MELSEC 5.6, G12.1).
+struct PolarPolicy {
+  std::optional<Axis> rotary;  ///< none: there is no such plane
+  bool endless = false;        ///< whole turns of it do not count
+};
+
 /// Slower before inner corners (MELSEC 5.6, G62): in moves of PathMode::corner_override.
 struct CornerOverridePolicy {
   double percent = 100.0;   ///< of the feed; 0 and 100: nothing is slowed
@@ -87,6 +93,7 @@ struct ToolpathPolicy {
   RadiusCompensationPolicy compensation;
   CornerOverridePolicy corner_override;
   NormalLinePolicy normal_line;
+  PolarPolicy polar;
   TravelLimitPolicy limits;
 };
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "execute/polar_plane.hpp"
 #include "geometry/circular_arc.hpp"
+#include "geometry/polar.hpp"
 
 namespace kerf {
 namespace {
@@ -14,7 +16,23 @@ struct Extent {
   AxisVector high;
 };
 
+/// Between its ends the linear axis may come nearer to the centre of rotation than either, and the rotary
+/// axis turn back on an arc.
+Extent polar_extent(const Move& move) {
+  Extent extent{move.end, move.end};
+  const PolarPlane& polar = move.polar;
+  const PolarRange range = polar_range(polar_contour(move));
+  const double near = polar.minus ? -range.greatest_radius : range.least_radius;
+  const double far = polar.minus ? -range.least_radius : range.greatest_radius;
+  extent.low[polar.linear] = polar.center + near;
+  extent.high[polar.linear] = polar.center + far;
+  extent.low[polar.rotary] = move.start[polar.rotary] + range.least_turn_deg;
+  extent.high[polar.rotary] = move.start[polar.rotary] + range.greatest_turn_deg;
+  return extent;
+}
+
 Extent extent_of(const Move& move) {
+  if (move.polar.form == PolarForm::axes) return polar_extent(move);
   Extent extent{move.end, move.end};
   if (!is_arc(move.mode)) return extent;
   for (std::size_t i = 0; i < kAxisCount; ++i) {
@@ -53,7 +71,7 @@ Travel::Travel(const Machine& machine) {
   }
 }
 
-bool Travel::contains_arc(const Move& move) const {
+bool Travel::contains_between(const Move& move) const {
   const Extent extent = extent_of(move);
   return contains(extent.low) && contains(extent.high);
 }

@@ -31,9 +31,10 @@ class Travel {
   bool contains(Axis axis, double position) const {
     return position >= lowest_[index(axis)] && position <= highest_[index(axis)];
   }
-  /// The end of a move and, on an arc, its outermost points; the start is not looked at.
+  /// The end of a move and, on an arc and in a polar plane, its outermost points; the start is not looked at.
   bool contains(const Move& move) const {
-    return contains(move.end) && (!is_arc(move.mode) || contains_arc(move));
+    const bool direct = !is_arc(move.mode) && move.polar.form == PolarForm::none;
+    return contains(move.end) && (direct || contains_between(move));
   }
 
   /// The first axis that a move or a position takes out of its travel.
@@ -50,7 +51,7 @@ class Travel {
   static constexpr double kRounding = 1e-6;  ///< mm or degrees
 
  private:
-  bool contains_arc(const Move& move) const;
+  bool contains_between(const Move& move) const;
 
   std::array<double, kAxisCount> lower_;  // minus infinity for axes the machine lacks
   std::array<double, kAxisCount> upper_;

@@ -5,6 +5,7 @@
 #include "toolpath/corner_override.hpp"
 #include "toolpath/corner_rounding.hpp"
 #include "toolpath/normal_line_pass.hpp"
+#include "toolpath/polar_pass.hpp"
 #include "toolpath/radius_compensation.hpp"
 #include "toolpath/travel_limits.hpp"
 
@@ -24,7 +25,8 @@ class Toolpath {
         compensated_{&rounded_, RadiusCompensationPass(policy.compensation)},
         slowed_{&compensated_, CornerOverridePass(policy.corner_override)},
         turned_{&slowed_, NormalLinePass(machine, policy.normal_line)},
-        limited_{&turned_, TravelLimitPass(machine, policy.limits)},
+        polar_{&turned_, PolarPass(policy.polar)},
+        limited_{&polar_, TravelLimitPass(machine, policy.limits)},
         axes_(machine) {}
 
   Toolpath(const Toolpath&) = delete;
@@ -51,6 +53,7 @@ class Toolpath {
     compensated_.pass.reset();
     slowed_.pass.reset();
     turned_.pass.reset();
+    polar_.pass.reset();
     limited_.pass.reset();
     axes_.reset();
     stopped_ = false;
@@ -68,12 +71,14 @@ class Toolpath {
   using Compensated = Stage<Rounded, RadiusCompensationPass>;
   using Slowed = Stage<Compensated, CornerOverridePass>;
   using Turned = Stage<Slowed, NormalLinePass>;
-  using Limited = Stage<Turned, TravelLimitPass>;
+  using Polar = Stage<Turned, PolarPass>;
+  using Limited = Stage<Polar, TravelLimitPass>;
 
   Rounded rounded_;
   Compensated compensated_;
   Slowed slowed_;
   Turned turned_;
+  Polar polar_;
   Limited limited_;
   AxisMotionPass axes_;
   bool stopped_ = false;

@@ -339,9 +339,6 @@ constexpr std::array kCatalogue{
               "A macro call with arguments of type II takes A, B, C and at most ten groups of I, J and K.",
               "Pass the further values in common variables, set before the call, for example #100 = 5."},
 
-    AlarmKind{kOwn, "unfinished-code", "Code that kerf does not execute yet",
-              "The controller has this code, but kerf cannot carry it out so far.",
-              "Take the code out to check the rest of the program."},
     AlarmKind{
         kOwn, "endless-loop", "Endless loop",
         "The program has jumped back, repeated and called so often that it counts as endless: a hundred "
@@ -355,7 +352,7 @@ constexpr std::array kCatalogue{
               "Outside of comments no block may hold this character.",
               "Delete the character, or put the remark into parentheses at the start of a block of its own."},
 };
-static_assert(kCatalogue.size() == 85 + 4);
+static_assert(kCatalogue.size() == 85 + 3);
 
 }  // namespace
 

@@ -19,7 +19,7 @@ bool BlockRun::run() {
   if (!words_.collect(block_, registers.modal[Group::distance], rules_.line(), alarm)) return false;
   take_normal_line_axis();
   if (words_.axes().size() > kContouringAxes - (turns_along_ ? 1 : 0)) return refuse("0302H", block_.span);
-  if (!combinations() || !compensation_numbers() || !unfinished_codes() || !feed() || !modal()) return false;
+  if (!combinations() || !compensation_numbers() || !codes_have_axes() || !feed() || !modal()) return false;
   for (const std::int32_t number : words_.auxiliaries()) queue_.push<Auxiliary>().code = number;
   if (!operation()) return false;
   if (ends_normal_line_) registers.placement.rest_wanted = true;

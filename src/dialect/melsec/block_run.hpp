@@ -16,6 +16,14 @@ struct LocalSystem {
   AxisVector offset;
 };
 
+/// The plane of polar coordinate interpolation: linear, rotary and height axis.
+Plane polar_plane(const ControllerSettings& settings);
+/// I, J or K: the word for the centre of an arc along an axis of that plane.
+char polar_center_address(Axis axis, const ControllerSettings& settings);
+/// Ends polar coordinate interpolation, if it is on: the program has the axes where they stand. `origin`: of
+/// the workpiece coordinate system in force.
+void leave_polar(Registers& registers, const ControllerSettings& settings, const AxisVector& origin);
+
 /// Every step returns false when it refused the block; `alarm` then says why.
 class BlockRun {
  public:
@@ -41,7 +49,7 @@ class BlockRun {
   bool program_code();
   // modal_step.cpp
   bool combinations();
-  bool unfinished_codes();
+  bool codes_have_axes();
   bool modal();
   bool compensation_numbers();
   bool length_offset();
@@ -55,6 +63,11 @@ class BlockRun {
   // normal_line_step.cpp
   void take_normal_line_axis();
   void turn_along(Move& move);
+  // polar_step.cpp
+  bool polar();
+  bool polar_axes();
+  void enter_polar();
+  void into_polar_plane(Move& move);
   // radius_step.cpp
   bool radius_compensation();
   bool compensate(Move& move);

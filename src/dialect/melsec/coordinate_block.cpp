@@ -13,7 +13,8 @@ bool straight_in_force(const Registers& registers) {
   const Placement& placement = registers.placement;
   if (registers.modal[Group::radius_compensation] != code(40)) return false;
   if (registers.modal[Group::normal_line] != code(40, 1)) return false;
-  if (placement.rotation.active || placement.absolute_wanted || placement.rest_wanted) return false;
+  if (placement.rotation.active || placement.absolute_wanted || placement.rest_wanted || placement.polar.on)
+    return false;
   const CodeNumber motion = registers.modal[Group::motion];
   return motion == code(0) || (motion == code(1) && registers.feed_given);
 }

@@ -69,6 +69,7 @@ ToolpathPolicy toolpath_policy(const Settings& settings) {
                             settings.number("melsec.system.corner_override_max_angle"),
                             settings.number("melsec.system.corner_override_length")};
   policy.normal_line = normal_line_policy(settings);
+  policy.polar = polar_policy(settings);
   policy.limits = {&alarm_kind("0221H"), false};
   return policy;
 }

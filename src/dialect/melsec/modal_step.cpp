@@ -46,18 +46,16 @@ bool BlockRun::combinations() {
   return in_modal.detail.empty() || refuse(in_modal.detail, span(last_code(in_modal.commanded)));
 }
 
-/// Codes that need an axis of their own, and those that are not carried out so far; the cancel codes of these
-/// are the state they start in.
-bool BlockRun::unfinished_codes() {
+/// Codes that need axes of their own.
+bool BlockRun::codes_have_axes() {
   constexpr CodeSet kNormalLine = set_of(code(41, 1)) | set_of(code(42, 1));
   constexpr CodeSet kPolar = set_of(code(12, 1));
-  if ((words_.codes() & (kNormalLine | kPolar)) == 0) return true;
   const ControllerSettings& settings = rules_.settings();
   if ((words_.codes() & kNormalLine) != 0 && !settings.normal_line.axis)
     return refuse("031BH", span(last_code(kNormalLine)));
-  if ((words_.codes() & kPolar) == 0) return true;
-  if (!(settings.polar_linear && settings.polar_rotary)) return refuse("0325H", span(last_code(kPolar)));
-  return refuse("unfinished-code", span(last_code(kPolar)));
+  if ((words_.codes() & kPolar) != 0 && !(settings.polar_linear && settings.polar_rotary))
+    return refuse("0325H", span(last_code(kPolar)));
+  return true;
 }
 
 bool BlockRun::modal() {
@@ -72,7 +70,7 @@ bool BlockRun::modal() {
   // Entering and leaving high-accuracy control makes a deceleration check.
   const bool entered = registers.modal[Group::path_mode] == code(61, 1);
   if (entered != (before == code(61, 1))) registers.placement.rest_wanted = true;
-  return length_offset() && radius_compensation() && rotation();
+  return length_offset() && radius_compensation() && rotation() && polar();
 }
 
 /// D and H, which must name a compensation even where they have no effect; beside M98 H is a sequence number.

@@ -50,8 +50,10 @@ bool BlockRun::targets(AxisVector& target) {
     const AxisWord& word = words_.axis(axis);
     double value = 0.0;
     if (!accept(*word.word, position_of(*word.word), value)) return false;
-    target[axis] = word.incremental
-                       ? on_grid(registers.position[axis] + value)
+    const bool direct = registers.placement.polar.on;  // all words are mm of the plane
+    target[axis] = word.incremental ? on_grid(registers.position[axis] + value)
+                   : direct
+                       ? on_grid(origin[axis] + local[axis] + value)
                        : absolute_target(axis, registers.position[axis], origin[axis], local[axis], value);
   }
   return true;
@@ -92,8 +94,10 @@ bool BlockRun::push(MoveMode mode, const AxisVector& end, const AxisVector& comm
   }
   if (!compensate(move)) return false;
   turn_along(move);
-  // Where the radius compensation moves the tool only the toolpath knows, and it checks the travel then.
-  if (move.compensation.side != Side::none) return true;
+  into_polar_plane(move);
+  // Where radius compensation and a polar plane move the axes only the toolpath knows, and it checks the
+  // travel.
+  if (move.compensation.side != Side::none || placement.polar.on) return true;
   const Travel& travel = rules_.travel();
   if (travel.contains(move)) return true;
   const auto excess = travel.leaving(move);
@@ -170,6 +174,7 @@ void BlockRun::arrive_at_machine(const AxisVector& machine) {
   placement.machine = machine;
   for (const Axis axis : words_.axes()) {
     placement.length_taken[axis] = 0.0;
+    placement.length_left_out.insert(axis);
     registers.position[axis] = machine[axis];
   }
   const PlaneRotation& rotation = placement.rotation;
@@ -179,6 +184,10 @@ void BlockRun::arrive_at_machine(const AxisVector& machine) {
 }
 
 bool BlockRun::plane_axes(Plane& plane) {
+  if (registers.placement.polar.on) {
+    plane = polar_plane(rules_.settings());
+    return true;
+  }
   const auto& base = rules_.settings().base;
   const CodeNumber number = registers.modal[Group::plane];
   const std::size_t first = number == code(17) ? 0 : number == code(18) ? 2 : 1;
@@ -192,7 +201,7 @@ bool BlockRun::plane_axes(Plane& plane) {
 bool BlockRun::arc_axes(Plane& plane) {
   if (!plane_axes(plane)) return false;
   const Machine& machine = rules_.machine();
-  if (machine[plane.first].type != machine[plane.second].type) {
+  if (!registers.placement.polar.on && machine[plane.first].type != machine[plane.second].type) {
     return refuse("030EH", block_.span,
                   FixedText<200>::format("{} is in mm and {} in degrees, or the other way round.",
                                          letter(plane.first), letter(plane.second)));
@@ -204,6 +213,7 @@ bool BlockRun::arc_axes(Plane& plane) {
 }
 
 char BlockRun::center_address(Axis axis) const {
+  if (registers.placement.polar.on) return polar_center_address(axis, rules_.settings());
   const auto& base = rules_.settings().base;
   for (std::size_t i = 0; i < base.size(); ++i) {
     if (base[i] == axis) return static_cast<char>('I' + static_cast<int>(i));

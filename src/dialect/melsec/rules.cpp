@@ -83,6 +83,7 @@ State Rules::initial_state() const {
 
 void Rules::begin_program(State& state) const {
   Registers& r = state.registers;
+  if (r.placement.polar.on) leave_polar(r, settings_, workpiece_origin(r, state.tables));
   r.modal.set(Group::motion, settings_.initial_motion);
   r.modal.set(Group::plane, settings_.initial_plane);
   r.modal.set(Group::distance, settings_.initial_distance);
@@ -151,8 +152,11 @@ AxisVector Rules::work_position(const State& state) const {
   // In the coordinates before rotation (5.6 G68, program target position).
   const Placement& placement = state.registers.placement;
   const std::size_t system = work_system(state.registers);
-  const AxisVector position =
-      shown(placement.machine - placement.length_taken - state.tables.work_offsets[system]);
+  const AxisVector programmed =
+      placement.machine - placement.length_taken - state.tables.work_offsets[system];
+  AxisVector position = shown(programmed);
+  // The second coordinate of a polar plane is a length, which does not begin anew.
+  if (placement.polar.on) position[*settings_.polar_rotary] = programmed[*settings_.polar_rotary];
   return position - state.tables.local_offsets[system];
 }
 

@@ -47,4 +47,13 @@ NormalLinePolicy normal_line_policy(const Settings& s) {
   return policy;
 }
 
+PolarPolicy polar_policy(const Settings& s) {
+  PolarPolicy policy;
+  policy.rotary = axis_of(s.text("melsec.system.polar_rotary_axis"));
+  if (policy.rotary) {
+    policy.endless = s.text(expanded("melsec.axis.*.rotation_axis_type", *policy.rotary)) != "linear";
+  }
+  return policy;
+}
+
 }  // namespace kerf::melsec

@@ -46,5 +46,6 @@ std::span<const KeyAlarm> key_alarms();
 std::span<const SharedName> shared_names();
 ControllerSettings controller_settings(const Settings& settings);
 NormalLinePolicy normal_line_policy(const Settings& settings);
+PolarPolicy polar_policy(const Settings& settings);
 
 }  // namespace kerf::melsec
