@@ -32,6 +32,7 @@ struct BlockTiming {
   double duration_s = 0.0;
   double length_mm = 0.0;         ///< way of the tool in X, Y and Z
   double peak_feed_mm_min = 0.0;  ///< highest path speed
+  bool goes_on = false;           ///< a piece of a move (PolarPieces) that more pieces follow
 };
 
 /// Largest magnitudes and range of each axis's command so far.

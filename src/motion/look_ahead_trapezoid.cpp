@@ -105,10 +105,13 @@ void LookAheadTrapezoid::push_move(const Move& move, Entry& entry, PlanNode& nod
   if (passes_on_) {
     node.junction = kUnlimited;
   } else if (!path.rapid && !from_rest_ && !move.from_rest) {
-    node.junction = junction_speed_squared(last_tangent_, start_tangent(path),
-                                           0.5 * (last_length_ + path.length), junction_deviation_, limits);
+    AxisLimits own;
+    node.junction =
+        junction_speed_squared(last_tangent_, start_tangent(path), 0.5 * (last_length_ + path.length),
+                               junction_deviation_, joint_limits(path, limits, own));
   }
   passes_on_ = move.passes_on;
+  entry.goes_on = move.passes_on && move.polar.form != PolarForm::none;
   from_rest_ = (path.rapid && !passes_on_) || move.exact_stop;
   last_tangent_ = end_tangent(path);
   last_length_ = path.length;
@@ -195,8 +198,11 @@ void LookAheadTrapezoid::complete_front(BlockObserver on_block) {
   if (entry.kind == EntryKind::move) {
     note_phases(entry.path);
     extend_range(entry.path, extremes_.low, extremes_.high);
-    rest_position_ = entry.path.end;
-    end_velocity_ = end_tangent(entry.path) * profile_.at(profile_.time3).speed;
+    PathPoint end;
+    evaluate_end(entry.path, profile_.at(profile_.time3).speed, end);
+    rest_position_ = end.position;
+    end_velocity_ = end.velocity;
+    timing.goes_on = entry.goes_on;
     timing.length_mm = entry.path.length_mm;
     timing.peak_feed_mm_min =
         std::max(peak_before_, profile_.peak_until(profile_.time3)) * entry.path.feed_per_speed;
@@ -209,29 +215,33 @@ void LookAheadTrapezoid::complete_front(BlockObserver on_block) {
 
 /// What the axes step by where the segment before ends and this one begins.
 void LookAheadTrapezoid::note_corner(const PathSegment& path, double speed) {
-  keep_largest(extremes_.corner_step, start_tangent(path) * speed - end_velocity_, 1.0);
+  PathPoint start;
+  evaluate(path, 0.0, speed, 0.0, start);
+  keep_largest(extremes_.corner_step, start.velocity - end_velocity_, 1.0);
 }
 
 /// Extremes of the profile in progress, up to the present time. What follows s linearly is known in closed
-/// form; the plane axes of an arc are looked at where a phase begins or ends, and in every cycle.
+/// form; the plane axes of an arc and the axes of a polar plane are looked at where a phase begins or ends,
+/// and in every cycle.
 void LookAheadTrapezoid::note_phases(const PathSegment& path) {
   const double until = std::min(time_, profile_.time3);
   double ramp = profile_.time1 > 0.0 ? std::abs(profile_.ramp1) : 0.0;
   if (until > profile_.time2) ramp = std::max(ramp, profile_.ramp3);
-  keep_largest(extremes_.velocity, path.slope, profile_.peak_until(until));
-  keep_largest(extremes_.acceleration, path.slope, ramp);
-  if (!path.is_arc) return;
+  const AxisVector slope = even_slope(path);
+  keep_largest(extremes_.velocity, slope, profile_.peak_until(until));
+  keep_largest(extremes_.acceleration, slope, ramp);
+  if (!is_curved(path)) return;
   PathPoint point;
   for (const double time : {0.0, profile_.time1, profile_.time2, until}) {
     if (time > until) continue;
     const ProfilePoint at = profile_.at(time);
     evaluate(path, way_before_ + at.s, at.speed, at.acceleration, point);
-    note_arc_point(path.arc, point);
+    note_curve_point(path, point);
   }
 }
 
-void LookAheadTrapezoid::note_arc_point(const ArcPath& arc, const PathPoint& point) {
-  for (const std::size_t axis : {arc.first, arc.second}) {
+void LookAheadTrapezoid::note_curve_point(const PathSegment& path, const PathPoint& point) {
+  for (const std::size_t axis : curved_axes(path)) {
     double& velocity = extremes_.velocity.values[axis];
     double& acceleration = extremes_.acceleration.values[axis];
     velocity = std::max(velocity, std::abs(point.velocity.values[axis]));
@@ -246,7 +256,7 @@ std::uint64_t LookAheadTrapezoid::skip_steady() {
   if (entry.kind == EntryKind::passing || (moves && time_ < profile_.time1)) return 0;
   // One whole cycle is left, so that the next phase finds what it follows.
   double whole = std::floor(((moves ? profile_.time2 : profile_.time3) - time_) / cycle_s_ - 1.5);
-  if (moves && entry.path.is_arc) whole = std::floor(whole / kArcLooks);
+  if (moves && is_curved(entry.path)) whole = std::floor(whole / kArcLooks);
   if (!(whole >= 1.0 && whole < kMostCycles)) return 0;
   skipped_ = true;
   time_ += whole * cycle_s_;
@@ -293,7 +303,7 @@ void LookAheadTrapezoid::fill(Cycle& cycle) {
     const ProfilePoint point = profile_.at(time_);
     evaluate(entry->path, way_before_ + point.s, point.speed, point.acceleration, cycle);
     cycle.path_speed_mm_min = point.speed * entry->path.feed_per_speed;
-    if (entry->path.is_arc) note_arc_point(entry->path.arc, cycle);
+    if (is_curved(entry->path)) note_curve_point(entry->path, cycle);
   } else {
     static_cast<PathPoint&>(cycle) = {rest_position_, {}, {}};
     cycle.path_speed_mm_min = 0.0;

@@ -60,6 +60,7 @@ class LookAheadTrapezoid {
     PathSegment path;
     Origin origin;
     double seconds = 0.0;  ///< of a wait
+    bool goes_on = false;  ///< BlockTiming::goes_on
     EntryKind kind = EntryKind::passing;
     BlockKind block = BlockKind::other;
   };
@@ -71,7 +72,7 @@ class LookAheadTrapezoid {
   void complete_front(BlockObserver on_block);
   void note_corner(const PathSegment& path, double speed);
   void note_phases(const PathSegment& path);
-  void note_arc_point(const ArcPath& arc, const PathPoint& point);
+  void note_curve_point(const PathSegment& path, const PathPoint& point);
   void fill(Cycle& cycle);
 
   double junction_deviation_;

@@ -5,7 +5,9 @@
 #include <limits>
 #include <numbers>
 
+#include "execute/polar_plane.hpp"
 #include "geometry/vec2.hpp"
+#include "motion/polar_path.hpp"
 
 namespace kerf {
 namespace {
@@ -165,31 +167,8 @@ void extend(AxisVector& low, AxisVector& high, std::size_t axis, double value) {
   high.values[axis] = std::max(high.values[axis], value);
 }
 
-}  // namespace
-
-void set_path(PathSegment& segment, const Move& move, const AxisLimits& limits, double feed_now) {
-  segment.start = move.start;
-  segment.end = move.end;
-  segment.rapid = move.mode == MoveMode::rapid;
-  if (is_arc(move.mode) && set_arc(segment, move, limits, feed_now)) return;
-  set_line(segment, move, limits);
-}
-
-AxisVector start_tangent(const PathSegment& segment) {
-  if (!segment.is_arc) return segment.slope;
-  const ArcPath& arc = segment.arc;
-  return arc_tangent(segment, segment.start.values[arc.first] - arc.center[0],
-                     segment.start.values[arc.second] - arc.center[1]);
-}
-
-AxisVector end_tangent(const PathSegment& segment) {
-  if (!segment.is_arc) return segment.slope;
-  const ArcPath& arc = segment.arc;
-  return arc_tangent(segment, segment.end.values[arc.first] - arc.center[0],
-                     segment.end.values[arc.second] - arc.center[1]);
-}
-
-void evaluate(const PathSegment& segment, double s, double speed, double acceleration, PathPoint& point) {
+void evaluate_in_its_plane(const PathSegment& segment, double s, double speed, double acceleration,
+                           PathPoint& point) {
   for (std::size_t i = 0; i < kAxisCount; ++i) {
     point.position.values[i] = segment.start.values[i] + segment.slope.values[i] * s;
     point.velocity.values[i] = segment.slope.values[i] * speed;
@@ -215,7 +194,82 @@ void evaluate(const PathSegment& segment, double s, double speed, double acceler
   point.acceleration.values[arc.second] = acceleration * dy + speed2 * (bend * y + twist * x);
 }
 
+/// In the coordinates that the move has.
+void set_in_its_plane(PathSegment& segment, const Move& move, const AxisLimits& limits, double feed_now) {
+  segment.start = move.start;
+  segment.end = move.end;
+  segment.rapid = move.mode == MoveMode::rapid;
+  if (is_arc(move.mode) && set_arc(segment, move, limits, feed_now)) return;
+  set_line(segment, move, limits);
+}
+
+void set_polar(PathSegment& segment, const Move& move, const AxisLimits& limits, double feed_now) {
+  const Move flat = in_polar_plane(move);
+  set_in_its_plane(segment, flat, without_polar_axes(limits, move.polar), feed_now);
+  if (segment.length <= 0.0) return;
+  const double second = flat.end[move.polar.rotary] - flat.start[move.polar.rotary];
+  if (!segment.is_arc) segment.length_mm = std::hypot(segment.length_mm, second);
+  set_feed(segment, flat, limits.feed_of_all_axes ? segment.length : segment.length_mm);
+  set_polar_limits(segment, move, limits, feed_now);
+}
+
+}  // namespace
+
+void set_path(PathSegment& segment, const Move& move, const AxisLimits& limits, double feed_now) {
+  segment.polar.active = false;
+  if (move.polar.form == PolarForm::axes) return set_polar(segment, move, limits, feed_now);
+  set_in_its_plane(segment, move, limits, feed_now);
+}
+
+AxisVector start_tangent(const PathSegment& segment) {
+  if (!segment.is_arc) return segment.slope;
+  const ArcPath& arc = segment.arc;
+  return arc_tangent(segment, segment.start.values[arc.first] - arc.center[0],
+                     segment.start.values[arc.second] - arc.center[1]);
+}
+
+AxisVector end_tangent(const PathSegment& segment) {
+  if (!segment.is_arc) return segment.slope;
+  const ArcPath& arc = segment.arc;
+  return arc_tangent(segment, segment.end.values[arc.first] - arc.center[0],
+                     segment.end.values[arc.second] - arc.center[1]);
+}
+
+AxisVector even_slope(const PathSegment& segment) {
+  AxisVector slope = segment.slope;
+  if (segment.polar.active) slope.values[segment.polar.linear] = slope.values[segment.polar.rotary] = 0.0;
+  return slope;
+}
+
+std::array<std::size_t, 2> curved_axes(const PathSegment& segment) {
+  if (segment.polar.active) return {segment.polar.linear, segment.polar.rotary};
+  return {segment.arc.first, segment.arc.second};
+}
+
+const AxisLimits& joint_limits(const PathSegment& segment, const AxisLimits& limits, AxisLimits& own) {
+  if (!segment.polar.active) return limits;
+  own = limits_in_polar_plane(segment.polar, limits);
+  return own;
+}
+
+bool is_curved(const PathSegment& segment) {
+  return segment.is_arc || segment.polar.active;
+}
+
+void evaluate_end(const PathSegment& segment, double speed, PathPoint& point) {
+  point.position = segment.end;
+  point.velocity = end_tangent(segment) * speed;
+  point.acceleration = {};
+  if (segment.polar.active) turn_into_axes(segment.polar, point);
+}
+
+void evaluate(const PathSegment& segment, double s, double speed, double acceleration, PathPoint& point) {
+  evaluate_in_its_plane(segment, s, speed, acceleration, point);
+  if (segment.polar.active) turn_into_axes(segment.polar, point);
+}
+
 void extend_range(const PathSegment& segment, AxisVector& low, AxisVector& high) {
+  if (segment.polar.active) return extend_polar_range(segment, low, high);
   for (std::size_t i = 0; i < kAxisCount; ++i) {
     low.values[i] = std::min({low.values[i], segment.start.values[i], segment.end.values[i]});
     high.values[i] = std::max({high.values[i], segment.start.values[i], segment.end.values[i]});

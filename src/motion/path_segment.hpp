@@ -20,10 +20,12 @@
 //   rotary axis asks for its highest rate.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "base/axis.hpp"
 #include "execute/action.hpp"
+#include "geometry/vec2.hpp"
 #include "motion/axis_limits.hpp"
 
 namespace kerf {
@@ -49,11 +51,25 @@ struct ArcPath {
   std::array<double, 2> drift{};
 };
 
+/// From the coordinates of a polar plane, in which everything else of the segment is given, to those of its
+/// axes (PolarPlane).
+struct PolarPath {
+  bool active = false;
+  std::uint8_t linear = 0;
+  std::uint8_t rotary = 0;
+  double side = 1.0;     ///< -1: the linear axis works on the minus side
+  double center = 0.0;   ///< machine coordinate of the linear axis over the centre of rotation
+  double angle = 0.0;    ///< machine coordinate of the rotary axis at the start, degrees
+  Vec2 direction;        ///< of the start, seen from the centre and from that side; length 1
+  double nearest = 0.0;  ///< least distance from the centre, mm
+};
+
 struct PathSegment {
   AxisVector start;
   AxisVector end;
   AxisVector slope;  ///< d position / ds; 0 for the plane axes of an arc
   ArcPath arc;
+  PolarPath polar;
   bool is_arc = false;
   bool rapid = false;
   bool at_maximum = false;     ///< the axes' limits alone decide the speed
@@ -81,12 +97,26 @@ inline constexpr double kCentripetalShare = 0.8;
 /// plane axes count with the smaller limit of the two, as the direction turns.
 void set_path(PathSegment& segment, const Move& move, const AxisLimits& limits, double feed_now);
 
-/// Direction of travel d position / ds at the start and the end; of length 1 except on spirals.
+/// Direction of travel d position / ds at the start and the end, in a polar plane in its coordinates; of
+/// length 1 except on spirals.
 AxisVector start_tangent(const PathSegment& segment);
 AxisVector end_tangent(const PathSegment& segment);
 
+/// The limits that count at the joint in front of the segment.
+const AxisLimits& joint_limits(const PathSegment& segment, const AxisLimits& limits, AxisLimits& own);
+
 /// The point at s for the speed and acceleration of s.
 void evaluate(const PathSegment& segment, double s, double speed, double acceleration, PathPoint& point);
+
+/// The axes at the end of the segment, for a speed of s there.
+void evaluate_end(const PathSegment& segment, double speed, PathPoint& point);
+
+/// The way of two axes is not proportional to s: their extremes must be looked for.
+bool is_curved(const PathSegment& segment);
+/// These two; only of a curved segment.
+std::array<std::size_t, 2> curved_axes(const PathSegment& segment);
+/// d position / ds of the others.
+AxisVector even_slope(const PathSegment& segment);
 
 /// Widens [low, high] of every axis by the segment.
 void extend_range(const PathSegment& segment, AxisVector& low, AxisVector& high);
