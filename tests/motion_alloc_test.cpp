@@ -9,6 +9,7 @@
 #include "motion/servo.hpp"
 #include "motion/speed_chart.hpp"
 #include "motion_test_support.hpp"
+#include "polar_program.hpp"
 
 namespace kerf {
 namespace {
@@ -64,6 +65,39 @@ TEST(MotionAlloc, TrajectoryAllocatesNothing) {
   EXPECT_EQ(allocation_count, before);
   EXPECT_GT(blocks, 1000U);
   EXPECT_GT(cycles, 10000U);
+}
+
+TEST(MotionAlloc, PolarMovesAllocateNothing) {
+  polar_test::PolarProgram program(20.0);
+  program.to(20.0, 20.0).to(-20.0, 0.5).arc(0.0, 0.0, -90.0).arc(0.0, 0.0, 90.0).to(20.0, 20.0).to(20.0, 0.0);
+  const std::vector<Action>& flat = program.actions();
+  Machine machine = machine_with({Axis::X, Axis::Z, Axis::C});
+  machine.motion.look_ahead = 32;
+  Trajectory trajectory(machine, FeedPolicy{});
+  PolarPolicy policy;
+  policy.rotary = Axis::C;
+  PolarPass pass(policy);
+  toolpath_test::ListSource source(flat);
+  Cycle cycle;
+  std::uint64_t blocks = 0;
+  const std::uint64_t before = allocation_count;
+  for (int rounds = 0; rounds < 10;) {
+    while (rounds < 10 && trajectory.wants_action()) {
+      const Action* action = pass.next(source);
+      if (action == nullptr) {
+        source = toolpath_test::ListSource(flat);
+        ++rounds;
+      } else {
+        trajectory.push(*action);
+      }
+    }
+    trajectory.step(cycle, [&](const BlockTiming&) { ++blocks; });
+  }
+  trajectory.finish();
+  while (trajectory.step(cycle, [&](const BlockTiming&) { ++blocks; }) == StepResult::cycle) {
+  }
+  EXPECT_EQ(allocation_count, before);
+  EXPECT_EQ(blocks, 60U);
 }
 
 TEST(MotionAlloc, ARunAllocatesTheSameForManyBlocksAsForFew) {

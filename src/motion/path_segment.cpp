@@ -260,7 +260,11 @@ void evaluate_end(const PathSegment& segment, double speed, PathPoint& point) {
   point.position = segment.end;
   point.velocity = end_tangent(segment) * speed;
   point.acceleration = {};
-  if (segment.polar.active) turn_into_axes(segment.polar, point);
+  if (!segment.polar.active) return;
+  turn_into_axes(segment.polar, point);
+  // The end itself, not what rounding makes of it.
+  point.position.values[segment.polar.linear] = segment.polar.linear_end;
+  point.position.values[segment.polar.rotary] = segment.polar.rotary_end;
 }
 
 void evaluate(const PathSegment& segment, double s, double speed, double acceleration, PathPoint& point) {

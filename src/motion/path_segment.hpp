@@ -57,11 +57,13 @@ struct PolarPath {
   bool active = false;
   std::uint8_t linear = 0;
   std::uint8_t rotary = 0;
-  double side = 1.0;     ///< -1: the linear axis works on the minus side
-  double center = 0.0;   ///< machine coordinate of the linear axis over the centre of rotation
-  double angle = 0.0;    ///< machine coordinate of the rotary axis at the start, degrees
-  Vec2 direction;        ///< of the start, seen from the centre and from that side; length 1
-  double nearest = 0.0;  ///< least distance from the centre, mm
+  double side = 1.0;        ///< -1: the linear axis works on the minus side
+  double center = 0.0;      ///< machine coordinate of the linear axis over the centre of rotation
+  double angle = 0.0;       ///< machine coordinate of the rotary axis at the start, degrees
+  Vec2 direction;           ///< of the start, seen from the centre and from that side; length 1
+  double nearest = 0.0;     ///< least distance from the centre, mm
+  double linear_end = 0.0;  ///< where the axes stand at the end
+  double rotary_end = 0.0;
 };
 
 struct PathSegment {

@@ -40,6 +40,8 @@ void set_polar_limits(PathSegment& segment, const Move& move, const AxisLimits& 
   path.angle = move.start[move.polar.rotary];
   path.direction = direction_at(path.angle - move.polar.zero);
   path.nearest = polar_range(contour).least_radius;
+  path.linear_end = move.end[move.polar.linear];
+  path.rotary_end = move.end[move.polar.rotary];
   const double share = plane_share(segment);
   if (!(share > 0.0) || segment.length <= 0.0) return;
 

@@ -1,0 +1,153 @@
+// The pass that gives moves of a polar plane the positions of their axes.
+
+#include <gtest/gtest.h>
+
+#include "polar_program.hpp"
+
+namespace kerf {
+namespace {
+
+using polar_test::passed;
+using polar_test::PolarProgram;
+
+std::vector<Move> moves_of(const std::vector<Action>& actions) {
+  std::vector<Move> moves;
+  for (const Action& action : actions) moves.push_back(std::get<Move>(action.what));
+  return moves;
+}
+
+void expect_axes(const Move& move, double x, double c) {
+  EXPECT_NEAR(move.end[Axis::X], x, 1e-9);
+  EXPECT_NEAR(move.end[Axis::C], c, 1e-9);
+}
+
+TEST(PolarPass, WithoutARotaryAxisNothingIsTouched) {
+  PolarProgram program(40.0);
+  program.to(20.0, 0.0);
+  PolarPass pass({});
+  toolpath_test::ListSource source(program.actions());
+  EXPECT_EQ(pass.next(source), program.actions().data());
+}
+
+TEST(PolarPass, PositionsAreDistanceAndAngle) {
+  PolarProgram program(20.0, 100.0, 37.0);
+  program.to(20.0, 20.0).to(-20.0, 20.0).to(-20.0, -20.0);
+  const auto moves = moves_of(passed(program.actions()));
+  ASSERT_EQ(moves.size(), 3U);
+  const double diagonal = 20.0 * std::sqrt(2.0);
+  expect_axes(moves[0], 100.0 + diagonal, 37.0 + 45.0);
+  expect_axes(moves[1], 100.0 + diagonal, 37.0 + 135.0);
+  expect_axes(moves[2], 100.0 + diagonal, 37.0 + 225.0);
+  for (const Move& move : moves) EXPECT_EQ(move.polar.form, PolarForm::axes);
+  EXPECT_EQ(moves[1].start, moves[0].end);
+  EXPECT_EQ(moves[2].commanded, std::get<Move>(program.actions()[2].what).commanded);
+}
+
+TEST(PolarPass, TurnsAddUpOverTheContour) {
+  PolarProgram program(20.0);
+  program.arc(0.0, 0.0, 360.0).arc(0.0, 0.0, 270.0).arc(0.0, 0.0, -90.0);
+  const auto moves = moves_of(passed(program.actions()));
+  ASSERT_EQ(moves.size(), 3U);
+  expect_axes(moves[0], 20.0, 360.0);
+  expect_axes(moves[1], 20.0, 630.0);
+  expect_axes(moves[2], 20.0, 540.0);
+}
+
+TEST(PolarPass, OnTheMinusSideTheWorkLiesHalfATurnAway) {
+  // X stays below the centre; (-20, 20) is seen from (-20, 0) a quarter of a right angle clockwise.
+  PolarProgram program(-20.0, 5.0);
+  program.to(-20.0, 20.0).arc(0.0, 0.0, -90.0);
+  const auto moves = moves_of(passed(program.actions()));
+  ASSERT_EQ(moves.size(), 2U);
+  const double diagonal = 20.0 * std::sqrt(2.0);
+  expect_axes(moves[0], 5.0 - diagonal, -45.0);
+  expect_axes(moves[1], 5.0 - diagonal, -135.0);
+}
+
+TEST(PolarPass, ALineThroughTheCentreTurnsTheAxisThere) {
+  PolarProgram program(30.0);
+  program.to(-10.0, 0.0);
+  const auto actions = passed(program.actions());
+  const auto moves = moves_of(actions);
+  ASSERT_EQ(moves.size(), 3U);
+  expect_axes(moves[0], 0.0, 0.0);
+  EXPECT_TRUE(moves[0].exact_stop);
+  expect_axes(moves[1], 0.0, 180.0);
+  EXPECT_EQ(moves[1].polar.form, PolarForm::none);
+  EXPECT_TRUE(moves[1].rotary_feed.at_maximum);
+  expect_axes(moves[2], 10.0, 180.0);
+  EXPECT_TRUE(moves[2].from_rest);
+  for (const Action& action : actions) EXPECT_EQ(action.origin.block, 1U);
+}
+
+TEST(PolarPass, AnArcThroughTheCentreGoesOnAlongItsTangent) {
+  // A circle of radius 10 about (10, 0): from (20, 0) half around to the centre of rotation, where it runs in
+  // -C, and a quarter on to (10, -10), which is seen at -45 degrees. Half a circle turns the axis by 90.
+  PolarProgram program(20.0);
+  program.arc(10.0, 0.0, 270.0);
+  const auto moves = moves_of(passed(program.actions()));
+  ASSERT_EQ(moves.size(), 3U);
+  expect_axes(moves[0], 0.0, 90.0);
+  EXPECT_NEAR(moves[0].arc.sweep, 180.0, 1e-9);
+  // +90 or -270 from there: both lie in the direction -90.
+  EXPECT_NEAR(std::remainder(moves[1].end[Axis::C] + 90.0, 360.0), 0.0, 1e-9);
+  EXPECT_NEAR(std::abs(moves[1].end[Axis::C] - 90.0), 180.0, 1e-9);
+  EXPECT_NEAR(moves[2].end[Axis::X], 10.0 * std::sqrt(2.0), 1e-9);
+  EXPECT_NEAR(moves[2].end[Axis::C] - moves[1].end[Axis::C], 45.0, 1e-9);
+  EXPECT_NEAR(moves[2].arc.sweep, 90.0, 1e-9);
+}
+
+TEST(PolarPass, FromTheCentreItTurnsTheShortWay) {
+  PolarProgram program(0.0);
+  program.to(0.0, -10.0).to(0.0, 0.0).to(-10.0, 0.0);
+  const auto moves = moves_of(passed(program.actions()));
+  ASSERT_EQ(moves.size(), 5U);
+  expect_axes(moves[0], 0.0, -90.0);
+  expect_axes(moves[1], 10.0, -90.0);
+  expect_axes(moves[2], 0.0, -90.0);
+  expect_axes(moves[3], 0.0, -180.0);
+  expect_axes(moves[4], 10.0, -180.0);
+}
+
+TEST(PolarPass, ALineThatTheCompensationHasLedAroundTheOtherSideKeepsTheTurnsOfAnEndlessAxis) {
+  // The path goes once around; the program says that C stands at 0 when the mode ends.
+  PolarProgram program(20.0);
+  program.arc(0.0, 0.0, 360.0);
+  Move after;
+  after.start[Axis::X] = 20.0;
+  after.end = after.start;
+  after.end[Axis::C] = 30.0;
+  program.action(after);
+  program.action(after);
+  const auto endless = moves_of(passed(program.actions(), true));
+  ASSERT_EQ(endless.size(), 3U);
+  EXPECT_NEAR(endless[1].start[Axis::C], 360.0, 1e-9);
+  EXPECT_NEAR(endless[1].end[Axis::C], 390.0, 1e-9);
+  EXPECT_NEAR(endless[2].end[Axis::C], 390.0, 1e-9);
+  // Where turns count, the axis goes to the position that was commanded.
+  const auto counting = moves_of(passed(program.actions(), false));
+  EXPECT_NEAR(counting[1].start[Axis::C], 360.0, 1e-9);
+  EXPECT_NEAR(counting[1].end[Axis::C], 30.0, 1e-9);
+}
+
+TEST(PolarPass, AMoveOfTheHeightAxisAloneKeepsTheAngle) {
+  PolarProgram program(20.0);
+  program.to(20.0, 20.0).to(20.0, 20.0, -5.0);
+  const auto moves = moves_of(passed(program.actions()));
+  ASSERT_EQ(moves.size(), 2U);
+  expect_axes(moves[1], 20.0 * std::sqrt(2.0), 45.0);
+  EXPECT_EQ(moves[1].end[Axis::Z], -5.0);
+}
+
+TEST(PolarPass, OtherActionsPassInOrder) {
+  PolarProgram program(20.0);
+  program.to(20.0, 20.0).action(Dwell{1.0}).to(20.0, 0.0).action(Auxiliary{8});
+  const auto actions = passed(program.actions());
+  ASSERT_EQ(actions.size(), 4U);
+  EXPECT_TRUE(std::holds_alternative<Dwell>(actions[1].what));
+  EXPECT_TRUE(std::holds_alternative<Auxiliary>(actions[3].what));
+  expect_axes(std::get<Move>(actions[2].what), 20.0, 0.0);
+}
+
+}  // namespace
+}  // namespace kerf
