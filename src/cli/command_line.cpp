@@ -22,7 +22,7 @@ using CommandAction = std::function<int()>;
 void add_dialect_option(CLI::App& command, CommonOptions& options) {
   command
       .add_option("--dialect", options.dialect,
-                  "Controller the program is written for (dgshape); otherwise from the machine file, "
+                  "Controller the program is written for (dgshape, melsec); otherwise from the machine file, "
                   "otherwise from the program")
       ->type_name("NAME");
 }

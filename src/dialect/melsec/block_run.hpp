@@ -49,6 +49,7 @@ class BlockRun {
   bool program_code();
   // modal_step.cpp
   bool combinations();
+  bool polar_stands_alone();
   bool codes_have_axes();
   bool modal();
   bool compensation_numbers();

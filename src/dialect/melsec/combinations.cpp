@@ -49,6 +49,7 @@ constexpr std::array kInModal{
     Combination{kHighAccuracy, kNormalOn, "0304H", true},
     Combination{kRadius, kArcs, "0315H"},
     Combination{set_of(code(38)), kArcs, "0306H"},
+    Combination{set_of(code(62)), kPolarOn, "0324H", false, kRadiusOn},
     Combination{all_of({code(52), code(53), code(62)}) | kPlanes | kLength | kSystems | kNormal |
                     kRotationOn | kPolarOn,
                 kPolarOn, "0322H"},
@@ -69,6 +70,7 @@ Combination refused_in_block(CodeSet codes) {
 Combination refused_in_modal(CodeSet codes, CodeSet in_force, bool axis_tolerance) {
   const auto* const found = std::find_if(kInModal.begin(), kInModal.end(), [&](const Combination& rule) {
     if (rule.allowed_with_axis_tolerance && axis_tolerance) return false;
+    if (rule.also != 0 && (in_force & rule.also) == 0) return false;
     return (codes & rule.commanded) != 0 && (in_force & rule.against) != 0;
   });
   return found == kInModal.end() ? Combination{} : *found;

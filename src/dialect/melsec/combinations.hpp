@@ -15,6 +15,7 @@ struct Combination {
   std::string_view detail;  ///< details code; empty: nothing is refused
   /// Allowed when "Tolerable acceleration control for each axis ON" is set.
   bool allowed_with_axis_tolerance = false;
+  CodeSet also = 0;  ///< refused only with one of these modal as well; 0: always
 };
 
 /// The first pair that must not stand in one block; `codes` are the ones of the block that count, the last

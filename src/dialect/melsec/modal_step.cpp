@@ -39,11 +39,22 @@ bool BlockRun::combinations() {
   if (!in_block.detail.empty()) {
     return refuse(in_block.detail, span(last_code(in_block.commanded | in_block.against)));
   }
+  if (!polar_stands_alone()) return false;
   const CodeNumber motion =
       words_.has(Group::motion) ? words_[Group::motion] : registers.modal[Group::motion];
   const Combination in_modal = refused_in_modal(words_.codes(), codes_in_force(registers.modal, motion),
                                                 rules_.settings().axis_tolerance);
   return in_modal.detail.empty() || refuse(in_modal.detail, span(last_code(in_modal.commanded)));
+}
+
+/// Beside G12.1 and G13.1 only a sequence number and feeds may stand (5.6 G12.1).
+bool BlockRun::polar_stands_alone() {
+  if (!words_.has(Group::polar)) return true;
+  for (const Word& word : block_.words) {
+    const bool may_stand = word.address == 'G' || word.address == 'N' || word.address == 'F';
+    if (!may_stand) return refuse("0306H", span_of(block_, word));
+  }
+  return true;
 }
 
 /// Codes that need axes of their own.

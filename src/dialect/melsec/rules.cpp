@@ -7,6 +7,7 @@
 #include "dialect/melsec/block_run.hpp"
 #include "dialect/melsec/compile.hpp"
 #include "dialect/melsec/coordinate_block.hpp"
+#include "execute/grid.hpp"
 
 namespace kerf::melsec {
 namespace {
@@ -162,7 +163,7 @@ AxisVector Rules::work_position(const State& state) const {
 
 AxisVector Rules::shown(AxisVector position) const {
   for (const Axis axis : settings_.endless) {
-    position[axis] = std::fmod(position[axis], 360.0);
+    position[axis] = std::fmod(on_grid(position[axis]), 360.0);
     if (position[axis] < 0.0) position[axis] += 360.0;
   }
   return position;
