@@ -154,9 +154,64 @@ TEST(ReportHtml, ArcsAndJumpsAndTurningAxes) {
   EXPECT_EQ(data["axes"], "XYZA");
   EXPECT_EQ(data["moves"]["jumps"], nlohmann::json::parse("[[0,0,0,0,0],[3,20000,0,0,30000]]"));
   EXPECT_EQ(
-      data["arcs"],
+      data["moves"]["arcs"],
       nlohmann::json::parse(R"({"move":[3],"plane":[0],"first":[20000],"second":[10000],"sweep":[90000]})"));
   EXPECT_EQ(data["actions"]["kinds"], "rolrxa");
+}
+
+// A compensated corner: tool beside it by 2 mm, then a rapid, then the same tool again.
+TEST(ReportHtml, WhatCompensationDoes) {
+  Sample sample;
+  sample.record.actions.clear();
+  const Origin origin = sample.origin(1, 0, 6);
+  const auto beside = [&](MoveMode mode, AxisVector start, AxisVector end) {
+    Move move = straight(mode, start, end, 300);
+    move.compensation = {Side::right, -2.0};
+    sample.add(origin, move, 0.0, 1.0, 10.0, 300.0);
+  };
+  beside(MoveMode::linear, at(0, 2, 0), at(8, 2, 0));
+  beside(MoveMode::linear, at(8, 2, 0), at(8, 10, 0));
+  beside(MoveMode::rapid, at(8, 10, 0), at(8, 20, 0));
+  beside(MoveMode::linear, at(8, 20, 0), at(8, 30, 0));
+  ProgrammedPath programmed;
+  Move contour = straight(MoveMode::linear, at(0, 0, 0), at(10, 0, 0));
+  contour.compensation = {Side::right, -2.0};
+  programmed.add({origin, contour});
+  contour.start = at(10, 0, 0);
+  contour.end = at(10, 30, 0);
+  programmed.add({origin, contour});
+  const auto data = data_of(html_report(
+      {"", "part.nc", "", "", sample.source, {}, sample.record, kMachine, {&programmed, std::nullopt}}));
+  EXPECT_EQ(restored(data["swept"]["move"]), (Values{0, 3}));
+  EXPECT_EQ(restored(data["swept"]["count"]), (Values{2, 1}));
+  EXPECT_EQ(restored(data["swept"]["radius"]), (Values{2000, 2000}));
+  EXPECT_EQ(restored(data["swept"]["plane"]), (Values{0, 0}));
+  EXPECT_EQ(restored(data["programmed"]["end"]["X"]), (Values{10000, 10000}));
+  EXPECT_EQ(restored(data["programmed"]["end"]["Y"]), (Values{0, 30000}));
+  EXPECT_EQ(restored(data["programmed"]["plane"]), (Values{0, 0}));
+  EXPECT_EQ(data["programmed"]["jumps"], nlohmann::json::parse("[[0,0,0,0]]"));
+  EXPECT_TRUE(data["pointing"].is_null());
+  // The pictures reach as far as the tool and the contour: X from -2 to 10, Y from 0 to 32.
+  EXPECT_EQ(data["limits"]["all"], nlohmann::json::parse("[[-2000,10000],[0,32000],[0,0]]"));
+}
+
+TEST(ReportHtml, WhereTheToolPoints) {
+  Sample sample;
+  Move move = straight(MoveMode::linear, at(10, 0, 0, 120), at(20, 0, 0, 120), 300);
+  move.normal_line = Side::left;
+  move.normal_zero = 30.0;
+  sample.add(sample.origin(1, 0, 6), move, 1.0, 1.0, 10.0, 300.0);
+  const ReportInput input{"",       "part.nc",         "", "", sample.source, {}, sample.record,
+                          kMachine, {nullptr, Axis::A}};
+  const auto data = data_of(html_report(input));
+  EXPECT_EQ(data["axes"], "XYZA");
+  EXPECT_EQ(data["pointing"]["axis"], "A");
+  EXPECT_EQ(restored(data["pointing"]["move"]), (Values{3}));
+  EXPECT_EQ(restored(data["pointing"]["count"]), (Values{1}));
+  EXPECT_EQ(restored(data["pointing"]["zero"]), (Values{30000}));
+  EXPECT_EQ(restored(data["moves"]["end"]["A"]), (Values{0, 0, 0, 120000}));
+  EXPECT_TRUE(data["programmed"].is_null());
+  EXPECT_EQ(data["swept"]["move"].size(), 0U);
 }
 
 TEST(ReportHtml, SubprogramsQuoteTheirOwnText) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "report/svg_plot.hpp"
+#include "report/svg_strokes.hpp"
 #include "report/svg_view.hpp"
 #include "report_test_support.hpp"
 
@@ -37,7 +38,7 @@ ViewFrame unit_frame(View view) {
 }
 
 ViewStrokes strokes_in(View view, const std::vector<Move>& moves) {
-  return strokes_of(timed_moves(moves), unit_frame(view), 1'000'000);
+  return strokes_of(timed_moves(moves), {}, unit_frame(view), 1'000'000);
 }
 
 // Places on the picture by hand: x to the right, y = 100 - machine Y.

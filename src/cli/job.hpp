@@ -1,13 +1,16 @@
 #pragma once
 // A program on a controller, ready to be pulled: what check, path and run have in common.
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "cli/options.hpp"
 #include "dialect/setup.hpp"
 #include "execute/interpreter.hpp"
+#include "execute/watched.hpp"
 #include "toolpath/toolpath.hpp"
 
 namespace kerf {
@@ -17,13 +20,18 @@ class Job {
  public:
   Job(const Controller& controller, std::shared_ptr<const Source> source)
       : interpreter_(controller.rules, std::move(source), controller.interpreter_options),
-        toolpath_(interpreter_, controller.machine, controller.toolpath_policy) {}
+        programmed_(interpreter_),
+        toolpath_(programmed_, controller.machine, controller.toolpath_policy) {}
   Job(const Job&) = delete;
   Job& operator=(const Job&) = delete;
 
   const Action* next() { return toolpath_.next(); }
   /// After an alarm: go on with the next block.
   void recover() { toolpath_.recover(); }
+  /// Shows the observer every action as the program has it, before the toolpath's passes.
+  void watch_programmed(std::function<void(const Action&)> observer) {
+    programmed_.watch(std::move(observer));
+  }
   const Interpreter& interpreter() const { return interpreter_; }
   /// The text an action came from: the program itself or one it called.
   std::shared_ptr<const Source> source_of(const Action& action) const {
@@ -32,7 +40,8 @@ class Job {
 
  private:
   Interpreter interpreter_;
-  Toolpath<Interpreter> toolpath_;
+  Watched<Interpreter> programmed_;
+  Toolpath<Watched<Interpreter>> toolpath_;
 };
 
 /// What a command needs before it can make a Job.

@@ -18,6 +18,7 @@
 #include "cli/version.hpp"
 #include "report/atomic_file.hpp"
 #include "report/html_report.hpp"
+#include "report/programmed_path.hpp"
 #include "report/summary.hpp"
 #include "report/svg_plot.hpp"
 #include "report/trace_csv.hpp"
@@ -139,13 +140,15 @@ bool write_whole(AtomicFile& file, std::string_view text) {
   return true;
 }
 
-RunRecord play(const RunCommandOptions& options, const Prepared& prepared, Job& job, Outputs& outputs) {
+RunRecord play(const RunCommandOptions& options, const Prepared& prepared, Job& job, Outputs& outputs,
+               ProgrammedPath& programmed) {
   ProgressLine progress;
   Pace pace;
   double share = 0.0;
   std::uint32_t seen = 0;
   RunOptions run_options;
   run_options.record = options.plot.has_value() || options.report.has_value();
+  if (run_options.record) job.watch_programmed([&](const Action& action) { programmed.add(action); });
   if (outputs.trace || options.realtime) {
     run_options.on_cycle = [&](const Cycle& cycle, const AxisVector& actual) {
       if (outputs.trace) outputs.trace->add(cycle, actual);
@@ -165,16 +168,20 @@ RunRecord play(const RunCommandOptions& options, const Prepared& prepared, Job& 
     print_alarm(*action, job, options.common);
     return action;
   };
-  return run(next, prepared.controller.machine, prepared.controller.feed_policy, run_options);
+  RunRecord record = run(next, prepared.controller.machine, prepared.controller.feed_policy, run_options);
+  if (record.truncated && !record.actions.empty())
+    programmed.end_at(record.actions.back().action.origin.block);
+  return record;
 }
 
 bool write_pictures(const RunCommandOptions& options, const Prepared& prepared, const Job& job,
-                    const RunRecord& record, Outputs& outputs) {
+                    const RunRecord& record, const ProgrammedPath& programmed, Outputs& outputs) {
+  const DrawingExtras extras{&programmed, prepared.controller.toolpath_policy.normal_line.axis};
   const Machine& machine = prepared.controller.machine;
   const std::string maker = fmt::format("kerf {}", version());
   bool good = true;
   if (outputs.plot) {
-    good = write_whole(*outputs.plot, svg_plot(record, machine, {options.file, maker})) && good;
+    good = write_whole(*outputs.plot, svg_plot(record, machine, {options.file, maker}, extras)) && good;
   }
   if (outputs.report) {
     const ReportInput input{
@@ -185,7 +192,8 @@ bool write_pictures(const RunCommandOptions& options, const Prepared& prepared, 
         prepared.source->text(),
         [&job](std::int32_t program) { return job.interpreter().source_of(program)->text(); },
         record,
-        machine};
+        machine,
+        extras};
     good = write_whole(*outputs.report, html_report(input)) && good;
   }
   return good;
@@ -207,7 +215,8 @@ int run_command(const RunCommandOptions& options) {
   if (!open_outputs(options, prepared->controller.machine, outputs)) return kExitUsage;
   const Interrupt interrupt;
   const auto job = std::make_unique<Job>(prepared->controller, prepared->source);
-  const RunRecord record = play(options, *prepared, *job, outputs);
+  ProgrammedPath programmed;
+  const RunRecord record = play(options, *prepared, *job, outputs, programmed);
   if (Interrupt::signal() != 0) {
     print_error("interrupted; no file was written");
     return kExitSignal + Interrupt::signal();
@@ -224,7 +233,7 @@ int run_command(const RunCommandOptions& options) {
     append_summary(out.text(), record.summary, prepared->controller.machine);
   }
   out.flush();
-  bool good = write_pictures(options, *prepared, *job, record, outputs);
+  bool good = write_pictures(options, *prepared, *job, record, programmed, outputs);
   if (outputs.trace) good = outputs.trace->finish() && good;
   if (!good || !out.good()) return kExitUsage;
   return status_of(record.summary);

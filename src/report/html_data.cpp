@@ -3,48 +3,21 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "report/action_text.hpp"
+#include "report/html_path.hpp"
 #include "report/html_source.hpp"
+#include "report/html_tool.hpp"
 #include "report/move_geometry.hpp"
 #include "report/number_text.hpp"
 #include "report/text_escape.hpp"
 
 namespace kerf {
 namespace {
-
-constexpr double kPerMm = 1000.0;
-constexpr double kPerSecond = 10'000.0;
-constexpr double kPerFeed = 10.0;
-
-std::int64_t counts_of(double value, double unit) {
-  const double counts = value * unit;
-  return std::abs(counts) < 9e15 ? std::llround(counts) : 0;
-}
-
-/// A JSON array of integers, each the difference from the one before.
-class Differences {
- public:
-  void add(std::int64_t value) {
-    if (!text_.empty()) text_ += ',';
-    append_integer(text_, value - last_);
-    last_ = value;
-  }
-  void append_to(std::string& out, std::string_view key) const {
-    out += '"';
-    out += key;
-    out += "\":[";
-    out += text_;
-    out += ']';
-  }
-
- private:
-  std::string text_;
-  std::int64_t last_ = 0;
-};
 
 /// Source lines that were executed, each held once.
 class BlockTexts {
@@ -141,11 +114,13 @@ void append_actions(std::string& out, const RunRecord& record) {
 }
 
 /// The axes whose positions the views need.
-std::vector<Axis> drawn_axes(const RunExtents& extents, const Machine& machine) {
+std::vector<Axis> drawn_axes(const RunExtents& extents, const Machine& machine,
+                             const std::optional<Axis>& normal_axis) {
   std::vector<Axis> axes{Axis::X, Axis::Y, Axis::Z};
   for (const Axis axis : {Axis::A, Axis::B, Axis::C}) {
     const bool rotary = machine.axes.contains(axis) && machine[axis].type == AxisType::rotary;
-    if (rotary && extents.all[index(axis)].length() > 1e-6) axes.push_back(axis);
+    const bool turns = rotary && extents.all[index(axis)].length() > 1e-6;
+    if (turns || axis == normal_axis) axes.push_back(axis);
   }
   return axes;
 }
@@ -169,7 +144,7 @@ void append_limits(std::string& out, const RunExtents& extents, const std::vecto
   out += "\"axes\":\"";
   for (const Axis axis : axes) out += letter(axis);
   out += "\",\"limits\":{";
-  append_extents("all", extents.all);
+  append_extents("all", extents.drawn);
   out += ',';
   if (extents.cutting[index(Axis::X)].empty()) {
     out += "\"feed\":null";
@@ -179,90 +154,24 @@ void append_limits(std::string& out, const RunExtents& extents, const std::vecto
   out += "},\n";
 }
 
-int plane_number(const Plane& plane) {
-  if (plane == kPlaneXY) return 0;
-  if (plane == kPlaneZX) return 1;
-  return plane == kPlaneYZ ? 2 : 3;
-}
-
-/// Collects moves, and of arcs what their end points do not say.
-class MoveData {
- public:
-  explicit MoveData(std::vector<Axis> axes) : axes_(std::move(axes)), ends_(axes_.size()) {}
-
-  void add(const TimedAction& timed, const Move& move) {
-    if (number_ == 0 || jumps(move)) add_jump(move);
-    for (std::size_t i = 0; i < axes_.size(); ++i) ends_[i].add(counts_of(move.end[axes_[i]], kPerMm));
-    length_.add(counts_of(timed.length_mm, kPerMm));
-    peak_.add(counts_of(timed.peak_feed_mm_min, kPerFeed));
-    if (is_arc(move.mode)) {
-      arc_move_.add(number_);
-      arc_plane_.add(plane_number(move.plane));
-      arc_first_.add(counts_of(move.arc.center[0], kPerMm));
-      arc_second_.add(counts_of(move.arc.center[1], kPerMm));
-      arc_sweep_.add(counts_of(move.arc.sweep, kPerMm));
-    }
-    last_ = move.end;
-    ++number_;
-  }
-
-  void append_to(std::string& out) const {
-    out += "\"moves\":{";
-    length_.append_to(out, "length");
-    out += ',';
-    peak_.append_to(out, "peak");
-    out += ",\"end\":{";
-    for (std::size_t i = 0; i < axes_.size(); ++i) {
-      if (i > 0) out += ',';
-      ends_[i].append_to(out, std::string(1, letter(axes_[i])));
-    }
-    out += "},\"jumps\":[" + jump_text_ + "]},\n\"arcs\":{";
-    arc_move_.append_to(out, "move");
-    out += ',';
-    arc_plane_.append_to(out, "plane");
-    out += ',';
-    arc_first_.append_to(out, "first");
-    out += ',';
-    arc_second_.append_to(out, "second");
-    out += ',';
-    arc_sweep_.append_to(out, "sweep");
-    out += "},\n";
-  }
-
- private:
-  bool jumps(const Move& move) const {
-    for (const Axis axis : axes_) {
-      if (counts_of(move.start[axis], kPerMm) != counts_of(last_[axis], kPerMm)) return true;
-    }
-    return false;
-  }
-  void add_jump(const Move& move) {
-    if (!jump_text_.empty()) jump_text_ += ',';
-    jump_text_ += '[';
-    append_integer(jump_text_, number_);
-    for (const Axis axis : axes_) {
-      jump_text_ += ',';
-      append_integer(jump_text_, counts_of(move.start[axis], kPerMm));
-    }
-    jump_text_ += ']';
-  }
-
-  std::vector<Axis> axes_;
-  std::vector<Differences> ends_;
-  Differences length_, peak_;
-  Differences arc_move_, arc_plane_, arc_first_, arc_second_, arc_sweep_;
-  std::string jump_text_;
-  AxisVector last_;
-  std::int64_t number_ = 0;
-};
-
 void append_moves(std::string& out, const RunRecord& record, const std::vector<Axis>& axes) {
-  MoveData data(axes);
+  HtmlPath path(axes);
+  Differences length;
+  Differences peak;
   for (const TimedAction& timed : record.actions) {
     const auto* move = std::get_if<Move>(&timed.action.what);
-    if (move != nullptr && is_drawable(*move)) data.add(timed, *move);
+    if (move == nullptr || !is_drawable(*move)) continue;
+    path.add(*move);
+    length.add(counts_of(timed.length_mm, kPerMm));
+    peak.add(counts_of(timed.peak_feed_mm_min, kPerFeed));
   }
-  data.append_to(out);
+  out += "\"moves\":{";
+  length.append_to(out, "length");
+  out += ',';
+  peak.append_to(out, "peak");
+  out += ',';
+  path.append_to(out);
+  out += "},\n";
 }
 
 void append_holes(std::string& out, const RunRecord& record) {
@@ -304,13 +213,14 @@ void append_speed(std::string& out, const RunRecord& record) {
 }  // namespace
 
 void append_report_data(std::string& out, const ReportInput& input) {
-  const RunExtents extents = extents_of(input.record.actions);
-  const std::vector<Axis> axes = drawn_axes(extents, input.machine);
+  const RunExtents extents = extents_of(input.record.actions, input.extras);
+  const std::vector<Axis> axes = drawn_axes(extents, input.machine, shown_normal_axis(input));
   out += "{\n";
   append_limits(out, extents, axes);
   append_rows(out, input);
   append_actions(out, input.record);
   append_moves(out, input.record, axes);
+  append_tool_layers(out, input);
   append_holes(out, input.record);
   append_speed(out, input.record);
   out += "}\n";

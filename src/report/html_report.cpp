@@ -24,7 +24,7 @@ constexpr std::string_view kHead = R"(<!DOCTYPE html>
 constexpr std::string_view kPictures = R"(<div class="work">
 <div class="pictures">
 <section aria-labelledby="views-title">
-<div class="bar"><h2 id="views-title">Toolpath</h2><ul class="legend" id="legend"></ul></div>
+<div class="bar"><h2 id="views-title">Toolpath</h2><ul class="legend" id="legend"></ul><ul class="legend" id="layers"></ul></div>
 <div id="views"></div>
 <p class="hint">Drag to move; click a picture and turn the wheel (or Ctrl + wheel) to zoom; keys + − 0 and arrows when a picture has the focus. Click a move to choose its block.</p>
 </section>
@@ -85,6 +85,11 @@ std::string html_report(const ReportInput& input) {
         "<p class=\"notice\">The run is longer than a report holds: pictures and blocks show its first "
         "{} actions, the totals all of it.</p>\n",
         input.record.actions.size());
+  } else if (input.extras.programmed != nullptr && input.extras.programmed->truncated()) {
+    out += fmt::format(
+        "<p class=\"notice\">The programmed path is longer than a report holds: the pictures show its first "
+        "{} moves.</p>\n",
+        ProgrammedPath::kMost);
   }
   out += kPictures;
   out += "</main>\n<footer><p>Run report";

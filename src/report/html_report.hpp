@@ -9,6 +9,7 @@
 
 #include "machine/machine.hpp"
 #include "motion/run_record.hpp"
+#include "report/move_geometry.hpp"
 
 namespace kerf {
 
@@ -23,6 +24,7 @@ struct ReportInput {
   std::function<std::string_view(std::int32_t program)> source_of_program;
   const RunRecord& record;
   const Machine& machine;
+  DrawingExtras extras{};  ///< what the views show beside the moves
 };
 
 /// The whole page: summary, alarms with their source lines, plan and elevation to zoom into, speed over time,

@@ -54,6 +54,33 @@ class HoleFinder {
   Point2 at_;
 };
 
+using Extents = std::array<Extent, kAxisCount>;
+
+Extents extents_of_move(const Move& move) {
+  Extents extents;
+  // Enough chords that no arc leaves the extent by more than 0.03 % of its radius.
+  const int parts = is_arc(move.mode) ? 2 * chord_count(move) : 1;
+  for (int part = 0; part <= parts; ++part) {
+    const AxisVector position = position_at(move, static_cast<double>(part) / parts);
+    for (std::size_t i = 0; i < kAxisCount; ++i) extents[i].include(position.values[i]);
+  }
+  return extents;
+}
+
+void include(Extents& all, const Extents& more) {
+  for (std::size_t i = 0; i < kAxisCount; ++i) all[i].include(more[i]);
+}
+
+/// What the tool reaches beside a move with these extents.
+Extents widened(Extents extents, const Move& move) {
+  const double radius = swept_radius(move);
+  for (const Axis axis : {move.plane.first, move.plane.second}) {
+    extents[index(axis)].low -= radius;
+    extents[index(axis)].high += radius;
+  }
+  return extents;
+}
+
 }  // namespace
 
 AxisVector position_at(const Move& move, double fraction) {
@@ -74,15 +101,32 @@ AxisVector position_at(const Move& move, double fraction) {
   return position;
 }
 
+bool looks_at(View view, const Plane& plane) {
+  return (plane.first == view.horizontal && plane.second == view.vertical) ||
+         (plane.first == view.vertical && plane.second == view.horizontal);
+}
+
 bool appears_round(const Move& move, View view) {
-  const Plane& plane = move.plane;
-  return is_arc(move.mode) && ((plane.first == view.horizontal && plane.second == view.vertical) ||
-                               (plane.first == view.vertical && plane.second == view.horizontal));
+  return is_arc(move.mode) && looks_at(view, move.plane);
 }
 
 bool turns_clockwise(const Move& move, View view) {
   const bool mirrored = move.plane.first == view.vertical;
   return (move.arc.sweep < 0.0) != mirrored;
+}
+
+double swept_radius(const Move& move) {
+  const bool cuts = move.mode != MoveMode::rapid;
+  return cuts && move.compensation.side != Side::none ? std::abs(move.compensation.amount) : 0.0;
+}
+
+Point2 tool_direction(const Move& move, Axis axis, double fraction, View view) {
+  const double stands = move.start[axis] + fraction * (move.end[axis] - move.start[axis]);
+  const double angle = (stands - move.normal_zero) * kRadians;
+  AxisVector direction;
+  direction[move.plane.first] = std::cos(angle);
+  direction[move.plane.second] = std::sin(angle);
+  return project(direction, view);
 }
 
 int chord_count(const Move& move) {
@@ -105,21 +149,22 @@ bool is_drawable(const Move& move) {
   return finite;
 }
 
-RunExtents extents_of(const std::vector<TimedAction>& actions) {
+RunExtents extents_of(const std::vector<TimedAction>& actions, const DrawingExtras& extras) {
   RunExtents extents;
   for (const TimedAction& timed : actions) {
     const auto* move = std::get_if<Move>(&timed.action.what);
     if (move == nullptr || !is_drawable(*move)) continue;
     extents.empty = false;
-    // Enough chords that no arc leaves the extent by more than 0.03 % of its radius.
-    const int parts = is_arc(move->mode) ? 2 * chord_count(*move) : 1;
-    for (int part = 0; part <= parts; ++part) {
-      const AxisVector position = position_at(*move, static_cast<double>(part) / parts);
-      for (std::size_t i = 0; i < kAxisCount; ++i) {
-        extents.all[i].include(position.values[i]);
-        if (move->mode != MoveMode::rapid) extents.cutting[i].include(position.values[i]);
-      }
-    }
+    const Extents covered = extents_of_move(*move);
+    include(extents.all, covered);
+    if (move->mode != MoveMode::rapid) include(extents.cutting, covered);
+    include(extents.drawn, widened(covered, *move));
+  }
+  const std::size_t programmed = extras.programmed == nullptr ? 0 : extras.programmed->size();
+  for (std::size_t i = 0; i < programmed; ++i) {
+    const Extents covered = extents_of_move((*extras.programmed)[i]);
+    for (const Axis axis : {Axis::X, Axis::Y, Axis::Z})
+      extents.drawn[index(axis)].include(covered[index(axis)]);
   }
   return extents;
 }

@@ -3,12 +3,20 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "execute/action.hpp"
 #include "motion/run_record.hpp"
+#include "report/programmed_path.hpp"
 
 namespace kerf {
+
+/// What the drawings show beside the moves of a record. The programmed path outlives it.
+struct DrawingExtras {
+  const ProgrammedPath* programmed = nullptr;  ///< null: not shown
+  std::optional<Axis> normal_axis;             ///< the rotary axis of normal line control; none: not shown
+};
 
 struct Point2 {
   double x = 0.0;
@@ -40,17 +48,34 @@ struct Extent {
     low = std::min(low, value);
     high = std::max(high, value);
   }
+  void include(const Extent& other) {
+    low = std::min(low, other.low);
+    high = std::max(high, other.high);
+  }
 };
 
 /// The position after a fraction (0 to 1) of a move. The radius goes evenly from that of the start to that of
 /// the end, as an arc within the tolerance of the controller may need.
 AxisVector position_at(const Move& move, double fraction);
 
+/// True when the view looks straight at the plane, from either side.
+bool looks_at(View view, const Plane& plane);
+
 /// True when the view looks straight at the plane of the arc, so that it appears as a circle.
 bool appears_round(const Move& move, View view);
 
 /// True when the move turns clockwise on a picture of the view. Only for an arc that appears round.
 bool turns_clockwise(const Move& move, View view);
+
+/// How far the tool reaches to either side of its path in the plane of a cutting move with tool radius
+/// compensation in force, mm: the amount without its sign. Of any other move 0: its tool's radius is not
+/// known.
+double swept_radius(const Move& move);
+
+/// Where the tool points after a fraction (0 to 1) of a move under normal line control: a vector of length 1
+/// on a picture of the view, y upwards. The axis stands at Move::normal_zero where the tool points along the
+/// first axis of the plane. Only for a view that looks at the plane.
+Point2 tool_direction(const Move& move, Axis axis, double fraction, View view);
 
 /// A number of equal parts of a move (1 for a straight one) so that chords stay true to an arc in a picture.
 int chord_count(const Move& move);
@@ -62,10 +87,11 @@ bool is_drawable(const Move& move);
 struct RunExtents {
   std::array<Extent, kAxisCount> all;      ///< every move
   std::array<Extent, kAxisCount> cutting;  ///< moves at feed
+  std::array<Extent, kAxisCount> drawn;    ///< every move, what the tool sweeps, and the programmed path
   bool empty = true;                       ///< nothing moves
 };
 
-RunExtents extents_of(const std::vector<TimedAction>& actions);
+RunExtents extents_of(const std::vector<TimedAction>& actions, const DrawingExtras& extras = {});
 
 /// A hole that was drilled straight down: a feed in -Z and the way back to where the feed began, X and Y at
 /// rest.

@@ -163,4 +163,13 @@ void SvgPath::append_value(std::int64_t hundredths) {
   needs_space_ = true;
 }
 
+void append_path(std::string& out, std::string_view style, std::string_view data) {
+  if (data.empty()) return;
+  out += "<path class=\"";
+  out += style;
+  out += "\" d=\"";
+  out += data;
+  out += "\"/>\n";
+}
+
 }  // namespace kerf

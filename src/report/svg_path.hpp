@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <unordered_set>
 
 #include "report/move_geometry.hpp"
@@ -62,5 +63,8 @@ class SvgPath {
   char last_command_ = ' ';
   bool needs_space_ = false;
 };
+
+/// Appends a path element of a class of the style sheet; nothing without data.
+void append_path(std::string& out, std::string_view style, std::string_view data);
 
 }  // namespace kerf

@@ -9,6 +9,8 @@
 #include "report/drawing_scale.hpp"
 #include "report/move_geometry.hpp"
 #include "report/number_text.hpp"
+#include "report/svg_legend.hpp"
+#include "report/svg_strokes.hpp"
 #include "report/svg_view.hpp"
 #include "report/text_escape.hpp"
 
@@ -18,7 +20,8 @@ namespace {
 constexpr double kWidth = 1000.0;
 constexpr double kLeft = 78.0;
 constexpr double kFrameWidth = 898.0;
-constexpr double kHeaderHeight = 104.0;
+constexpr double kLegendTop = 82.0;            ///< middle of the first row
+constexpr double kBelowLegend = 22.0;          ///< from the middle of the last row to the plan
 constexpr double kGap = 58.0;                  ///< below a frame: ticks and title
 constexpr double kMargin = 1.12;               ///< frame over extent
 constexpr std::size_t kMostBytes = 1'500'000;  ///< of the strokes of one view
@@ -33,7 +36,7 @@ text{font-family:system-ui,-apple-system,"Segoe UI","DejaVu Sans",Arial,sans-ser
 .axis text{font-size:13px;font-weight:600}
 .legend text{font-size:13px}
 .note{font-size:12.5px;fill:#3d444d}
-.grid,.frame,.bounds,.rapid,.line,.arc,.hole,.scale,.start,.end{fill:none;vector-effect:non-scaling-stroke}
+.grid,.frame,.bounds,.rapid,.line,.arc,.hole,.scale,.start,.end,.programmed,.direction{fill:none;vector-effect:non-scaling-stroke}
 .grid{stroke:#e4e7eb;stroke-width:1}
 .frame{stroke:#8b949e;stroke-width:1}
 .bounds{stroke:#57606a;stroke-width:1;stroke-dasharray:1 4}
@@ -41,6 +44,9 @@ text{font-family:system-ui,-apple-system,"Segoe UI","DejaVu Sans",Arial,sans-ser
 .rapid{stroke:#6e7781;stroke-width:1;stroke-dasharray:5 4;stroke-linecap:butt}
 .line{stroke:#0072b2;stroke-width:1.4}
 .arc{stroke:#d55e00;stroke-width:2.6}
+.swept{fill:none;stroke:#56b4e9;stroke-linecap:round;stroke-linejoin:round;opacity:.3}
+.programmed{stroke:#1b1f24;stroke-width:1.1;stroke-dasharray:9 3;stroke-linejoin:round}
+.direction{stroke:#7b3294;stroke-width:1.5;stroke-linecap:round}
 .hole{stroke:#007a5a;stroke-width:1.6}
 .scale{stroke:#1b1f24;stroke-width:1.6}
 .start{stroke:#1b1f24;stroke-width:1.8}
@@ -49,33 +55,10 @@ text{font-family:system-ui,-apple-system,"Segoe UI","DejaVu Sans",Arial,sans-ser
 </style>
 )";
 
-/// What happens in the run, for the legend.
-struct Kinds {
-  bool rapid = false;
-  bool line = false;
-  bool arc = false;
-};
-
 struct Ends {
   AxisVector start;
   AxisVector end;
 };
-
-Kinds kinds_of(const RunRecord& record) {
-  Kinds kinds;
-  for (const TimedAction& timed : record.actions) {
-    const auto* move = std::get_if<Move>(&timed.action.what);
-    if (move == nullptr) continue;
-    if (is_arc(move->mode)) {
-      kinds.arc = true;
-    } else if (move->mode == MoveMode::rapid) {
-      kinds.rapid = true;
-    } else {
-      kinds.line = true;
-    }
-  }
-  return kinds;
-}
 
 std::optional<Ends> ends_of(const RunRecord& record) {
   std::optional<Ends> ends;
@@ -89,14 +72,14 @@ std::optional<Ends> ends_of(const RunRecord& record) {
 }
 
 /// The plan: one scale for both axes, chosen so that it fills the frame's width or its largest height.
-ViewFrame plan_frame(const RunExtents& extents) {
+ViewFrame plan_frame(const RunExtents& extents, double top) {
   constexpr double kLowest = 200.0;
   constexpr double kHighest = 580.0;
   constexpr double kSmallestRange = 1e-6;
   constexpr double kPointRange = 10.0;  // mm around a run that stays at one point
   constexpr double kScaleBar = 28.0;    // room below the moves
-  const Extent& x = extents.all[index(Axis::X)];
-  const Extent& y = extents.all[index(Axis::Y)];
+  const Extent& x = extents.drawn[index(Axis::X)];
+  const Extent& y = extents.drawn[index(Axis::Y)];
   double x_range = x.length() * kMargin;
   const double y_range = y.length() * kMargin;
   if (std::max(x_range, y_range) < kSmallestRange) x_range = kPointRange;
@@ -104,7 +87,7 @@ ViewFrame plan_frame(const RunExtents& extents) {
   ViewFrame frame;
   frame.view = kPlanView;
   frame.left = kLeft;
-  frame.top = kHeaderHeight;
+  frame.top = top;
   frame.width = kFrameWidth;
   const double fill_width = kFrameWidth / std::max(x_range, kSmallestRange);
   const double fill_height = kHighest / std::max(y_range, kSmallestRange);
@@ -124,7 +107,7 @@ ViewFrame elevation_frame(const RunExtents& extents, const ViewFrame& plan) {
   constexpr double kLowest = 90.0;
   constexpr double kHighest = 340.0;
   constexpr double kFlat = 1e-6;
-  const Extent& z = extents.all[index(Axis::Z)];
+  const Extent& z = extents.drawn[index(Axis::Z)];
   ViewFrame frame = plan;
   frame.view = kElevationView;
   frame.top = plan.top + plan.height + kGap;
@@ -150,8 +133,8 @@ ViewFrame unrolled_frame(const RunExtents& extents, View view, double top) {
   frame.top = top;
   frame.width = kFrameWidth;
   frame.height = kHeight;
-  const Extent& x = extents.all[index(view.horizontal)];
-  const Extent& y = extents.all[index(view.vertical)];
+  const Extent& x = extents.drawn[index(view.horizontal)];
+  const Extent& y = extents.drawn[index(view.vertical)];
   const double x_range = x.length() < kSmallestRange ? 10.0 : x.length() * kMargin;
   const double y_range = y.length() < kSmallestRange ? 10.0 : y.length() * kMargin;
   frame.x_scale = frame.width / x_range;
@@ -163,8 +146,8 @@ ViewFrame unrolled_frame(const RunExtents& extents, View view, double top) {
   return frame;
 }
 
-std::vector<ViewFrame> frames_of(const RunExtents& extents, const Machine& machine) {
-  std::vector<ViewFrame> frames{plan_frame(extents)};
+std::vector<ViewFrame> frames_of(const RunExtents& extents, const Machine& machine, double top) {
+  std::vector<ViewFrame> frames{plan_frame(extents, top)};
   if (machine.axes.contains(Axis::Z)) frames.push_back(elevation_frame(extents, frames.front()));
   for (const View view : {View{Axis::X, Axis::A}, View{Axis::Y, Axis::B}, View{Axis::Z, Axis::C}}) {
     constexpr double kTurning = 1e-6;
@@ -196,7 +179,7 @@ std::string shortened(std::string_view text, std::size_t most) {
   return out;
 }
 
-void append_header(std::string& out, const RunRecord& record, const SvgPlotTitle& title) {
+void append_header(std::string& out, const RunRecord& record, const SvgPlotTitle& title, bool truncated) {
   const RunSummary& summary = record.summary;
   out += fmt::format("<text class=\"title\" x=\"{}\" y=\"34\">{}</text>\n", kLeft,
                      xml_text(shortened(title.title, 70)));
@@ -205,55 +188,8 @@ void append_header(std::string& out, const RunRecord& record, const SvgPlotTitle
                   fixed_text(summary.cutting_mm, 1), clock_text(summary.cutting_s),
                   fixed_text(summary.rapid_mm, 1), clock_text(summary.rapid_s), grouped_text(summary.blocks));
   if (!summary.alarms.empty()) totals += fmt::format(" · alarms and warnings: {}", summary.alarms.size());
-  if (record.truncated) totals += " · only the first part is drawn";
+  if (truncated) totals += " · only the first part is drawn";
   out += fmt::format("<text class=\"totals\" x=\"{}\" y=\"57\">{}</text>\n", kLeft, xml_text(totals));
-}
-
-/// Sets samples with their labels one after the other in a row.
-class LegendRow {
- public:
-  LegendRow(std::string& out, double y) : out_(out), y_(y) {}
-
-  void stroke(std::string_view style, std::string_view label) {
-    out_ += fmt::format("<path class=\"{}\" d=\"M{} {}h32\"/>\n", style, x_, y_);
-    text(label, 39.0);
-  }
-  void hole(std::string_view label) {
-    const double cx = x_ + 8.0;
-    out_ += fmt::format(
-        "<path class=\"hole\" d=\"M{} {}a4.5 4.5 0 0 1 9 0 4.5 4.5 0 0 1-9 0M{} {}h15M{} {}v15\"/>\n",
-        cx - 4.5, y_, cx - 7.5, y_, cx, y_ - 7.5);
-    text(label, 22.0);
-  }
-  void start_and_end() {
-    out_ += fmt::format("<circle class=\"start\" cx=\"{}\" cy=\"{}\" r=\"8\"/>\n", x_ + 9.0, y_);
-    text("start", 23.0);
-    out_ += fmt::format("<rect class=\"end\" x=\"{}\" y=\"{}\" width=\"8\" height=\"8\"/>\n", x_, y_ - 4.0);
-    text("end", 14.0);
-  }
-
- private:
-  void text(std::string_view label, double offset) {
-    out_ += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>\n", x_ + offset, y_ + 4.5, label);
-    x_ += offset + 7.0 * static_cast<double>(label.size()) + 18.0;
-  }
-
-  std::string& out_;
-  double x_ = kLeft;
-  double y_;
-};
-
-void append_legend(std::string& out, const Kinds& kinds, std::size_t holes, bool moves) {
-  if (!moves) return;
-  out += "<g class=\"legend\">\n";
-  LegendRow row(out, 82.0);
-  if (kinds.rapid) row.stroke("rapid", "rapid");
-  if (kinds.line) row.stroke("line", "line");
-  if (kinds.arc) row.stroke("arc", "arc");
-  if (holes > 0) row.hole(fmt::format("drilled hole ({})", holes));
-  if (kinds.line || kinds.arc) row.stroke("bounds", "cutting bounds");
-  row.start_and_end();
-  out += "</g>\n";
 }
 
 /// The ranges of the cutting moves, or of all when nothing is cut, for the axes that move. Returns the height
@@ -282,12 +218,12 @@ double append_ranges(std::string& out, const RunExtents& extents, const Machine&
   return kRow * (1 + rows_of(cell));
 }
 
-void append_view(std::string& out, const ViewFrame& frame, const RunRecord& record, const RunExtents& extents,
-                 const std::vector<Hole>& holes) {
+void append_view(std::string& out, const ViewFrame& frame, const RunRecord& record,
+                 const ViewStrokes& strokes, const RunExtents& extents, const std::vector<Hole>& holes) {
   const bool plan = frame.view.vertical == Axis::Y;
   append_frame(out, frame);
   append_bounds(out, frame, extents);
-  append_strokes(out, frame, strokes_of(record.actions, frame, kMostBytes));
+  append_strokes(out, frame, strokes);
   if (plan) {
     append_holes(out, frame, holes);
     append_scale_bar(out, frame);
@@ -297,16 +233,22 @@ void append_view(std::string& out, const ViewFrame& frame, const RunRecord& reco
 
 }  // namespace
 
-std::string svg_plot(const RunRecord& record, const Machine& machine, const SvgPlotTitle& title) {
-  const RunExtents extents = extents_of(record.actions);
+std::string svg_plot(const RunRecord& record, const Machine& machine, const SvgPlotTitle& title,
+                     const DrawingExtras& extras) {
+  const RunExtents extents = extents_of(record.actions, extras);
   const std::vector<Hole> holes = find_holes(record.actions);
-  const std::vector<ViewFrame> frames = frames_of(extents, machine);
+  const Legend legend = legend_of(record.actions, extras, holes.size());
+  const double top = kLegendTop + legend_height(legend) + kBelowLegend;
+  const std::vector<ViewFrame> frames = frames_of(extents, machine, top);
   const double below = frames.back().top + frames.back().height + kGap;
 
   std::string body;
-  append_header(body, record, title);
-  append_legend(body, kinds_of(record), holes.size(), !extents.empty);
-  for (const ViewFrame& frame : frames) append_view(body, frame, record, extents, holes);
+  append_header(body, record, title,
+                record.truncated || (extras.programmed != nullptr && extras.programmed->truncated()));
+  append_legend(body, legend, {kLeft, kLegendTop});
+  for (const ViewFrame& frame : frames) {
+    append_view(body, frame, record, strokes_of(record.actions, extras, frame, kMostBytes), extents, holes);
+  }
   if (extents.empty) {
     const ViewFrame& plan = frames.front();
     body +=

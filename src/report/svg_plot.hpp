@@ -6,6 +6,7 @@
 
 #include "machine/machine.hpp"
 #include "motion/run_record.hpp"
+#include "report/move_geometry.hpp"
 
 namespace kerf {
 
@@ -18,8 +19,11 @@ struct SvgPlotTitle {
 /// The plan (X-Y) with the elevation (X-Z) below it at the same horizontal scale, and for each rotary axis
 /// that turns a view unrolled along the linear axis it turns about (X-A, Y-B, Z-C). Machine coordinates, mm
 /// and degrees. Rapids are thin and dashed, lines solid, arcs heavier and true SVG arcs; drilled holes are
-/// marked in the plan. The file stays below a few megabytes however long the run is: strokes below the
+/// marked in the plan. A view that looks straight at the plane of tool radius compensation shows the
+/// programmed path and what the tool sweeps beside its centre; one at the plane of normal line control, where
+/// the tool points. The file stays below a few megabytes however long the run is: strokes below the
 /// picture's resolution are joined.
-std::string svg_plot(const RunRecord& record, const Machine& machine, const SvgPlotTitle& title);
+std::string svg_plot(const RunRecord& record, const Machine& machine, const SvgPlotTitle& title,
+                     const DrawingExtras& extras = {});
 
 }  // namespace kerf

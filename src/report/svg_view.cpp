@@ -14,70 +14,8 @@
 namespace kerf {
 namespace {
 
-constexpr double kDegreesPerStroke = 120.0;  ///< an arc stroke must stay below half a turn
-
 std::string hundredths(double value) {
   return rounded_text(value, 2);
-}
-
-/// The circle itself and the rest, for an arc of several turns: more would be drawn on top of each other.
-double visible_sweep(double sweep) {
-  constexpr double kTurn = 360.0;
-  if (std::abs(sweep) <= 2.0 * kTurn) return sweep;
-  return std::copysign(kTurn + std::fmod(std::abs(sweep), kTurn), sweep);
-}
-
-void draw_round(const Move& move, const ViewFrame& frame, SvgPath& path) {
-  Move drawn = move;
-  drawn.arc.sweep = visible_sweep(move.arc.sweep);
-  const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(drawn.arc.sweep) / kDegreesPerStroke)));
-  const double start_radius = std::hypot(move.start[move.plane.first] - move.arc.center[0],
-                                         move.start[move.plane.second] - move.arc.center[1]);
-  const ArcStroke stroke{start_radius * frame.x_scale, start_radius * frame.y_scale,
-                         turns_clockwise(move, frame.view)};
-  Point2 from = frame.place(project(drawn.start, frame.view));
-  for (int part = 1; part <= parts; ++part) {
-    const AxisVector position = position_at(drawn, static_cast<double>(part) / parts);
-    const Point2 to = frame.place(project(position, frame.view));
-    path.arc(from, to, stroke);
-    from = to;
-  }
-}
-
-void draw_chords(const Move& move, const ViewFrame& frame, SvgPath& path) {
-  const int parts = chord_count(move);
-  Point2 from = frame.place(project(move.start, frame.view));
-  for (int part = 1; part <= parts; ++part) {
-    const AxisVector position = position_at(move, static_cast<double>(part) / parts);
-    const Point2 to = frame.place(project(position, frame.view));
-    path.line(from, to);
-    from = to;
-  }
-}
-
-ViewStrokes strokes_at(const std::vector<TimedAction>& actions, const ViewFrame& frame, double tolerance) {
-  SvgPath rapid(tolerance);
-  SvgPath line(tolerance);
-  SvgPath arc(tolerance);
-  for (const TimedAction& timed : actions) {
-    const auto* move = std::get_if<Move>(&timed.action.what);
-    if (move == nullptr || !is_drawable(*move)) continue;
-    if (appears_round(*move, frame.view)) {
-      draw_round(*move, frame, arc);
-    } else {
-      draw_chords(*move, frame, is_arc(move->mode) ? arc : move->mode == MoveMode::rapid ? rapid : line);
-    }
-  }
-  return {rapid.finish(), line.finish(), arc.finish()};
-}
-
-void append_path(std::string& out, std::string_view style, const std::string& data) {
-  if (data.empty()) return;
-  out += "<path class=\"";
-  out += style;
-  out += "\" d=\"";
-  out += data;
-  out += "\"/>\n";
 }
 
 void append_line(std::string& out, double x1, double y1, double x2, double y2) {
@@ -107,18 +45,6 @@ std::pair<double, double> grid_steps(const ViewFrame& frame) {
 
 }  // namespace
 
-ViewStrokes strokes_of(const std::vector<TimedAction>& actions, const ViewFrame& frame,
-                       std::size_t most_bytes) {
-  constexpr double kFinest = 0.04;
-  constexpr double kCoarsest = 2.6;
-  ViewStrokes strokes = strokes_at(actions, frame, kFinest);
-  for (double tolerance = 2.0 * kFinest; strokes.size() > most_bytes && tolerance < kCoarsest;
-       tolerance *= 2.0) {
-    strokes = strokes_at(actions, frame, tolerance);
-  }
-  return strokes;
-}
-
 void append_frame(std::string& out, const ViewFrame& frame) {
   const auto [x_step, y_step] = grid_steps(frame);
   const double right = frame.left + frame.width;
@@ -147,19 +73,6 @@ void append_frame(std::string& out, const ViewFrame& frame) {
   out += fmt::format(
       "<text x=\"{0}\" y=\"{1}\" text-anchor=\"middle\" transform=\"rotate(-90 {0} {1})\">{2}</text>\n", x, y,
       xml_text(frame.y_title));
-  out += "</g>\n";
-}
-
-void append_strokes(std::string& out, const ViewFrame& frame, const ViewStrokes& strokes) {
-  const std::string id = fmt::format("clip-{}{}", letter(frame.view.horizontal), letter(frame.view.vertical));
-  out += fmt::format(
-      "<clipPath id=\"{}\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></clipPath>\n"
-      "<g clip-path=\"url(#{})\">\n",
-      id, hundredths(frame.left), hundredths(frame.top), hundredths(frame.width), hundredths(frame.height),
-      id);
-  append_path(out, "rapid", strokes.rapid);
-  append_path(out, "line", strokes.line);
-  append_path(out, "arc", strokes.arc);
   out += "</g>\n";
 }
 

@@ -28,25 +28,8 @@ struct ViewFrame {
   }
 };
 
-/// The strokes of the moves, as data of SVG paths.
-struct ViewStrokes {
-  std::string rapid;
-  std::string line;
-  std::string arc;
-
-  std::size_t size() const { return rapid.size() + line.size() + arc.size(); }
-};
-
-/// Collects the strokes of one view. Doubles the tolerance, starting below what a screen can show, until the
-/// data is no larger than `most_bytes`, or no tolerance helps.
-ViewStrokes strokes_of(const std::vector<TimedAction>& actions, const ViewFrame& frame,
-                       std::size_t most_bytes);
-
 /// Appends the frame with its grid, ticks and titles.
 void append_frame(std::string& out, const ViewFrame& frame);
-
-/// Appends the strokes, clipped to the frame: rapids below, arcs on top.
-void append_strokes(std::string& out, const ViewFrame& frame, const ViewStrokes& strokes);
 
 /// Appends the rectangle that the cutting moves cover, when there are any.
 void append_bounds(std::string& out, const ViewFrame& frame, const RunExtents& extents);

@@ -15,13 +15,15 @@ function restore(differences, unit) {
 const isMove = (kind) => kind === 'r' || kind === 'l' || kind === 'c' || kind === 'a';
 const isArc = (kind) => kind === 'c' || kind === 'a';
 
+const planeNames = ['XY', 'ZX', 'YZ', '??'];
+
 /** Start positions per axis: where the move before ended, except where the data names another place. */
-function startsOf(raw, end) {
+function startsOf(raw, axes, end) {
   const start = {};
-  [...raw.axes].forEach((axis, column) => {
+  [...axes].forEach((axis, column) => {
     const values = new Float64Array(end[axis].length);
     values.set(end[axis].subarray(0, Math.max(0, values.length - 1)), Math.min(1, values.length));
-    for (const jump of raw.moves.jumps) values[jump[0]] = jump[column + 1] / 1000;
+    for (const jump of raw.jumps) values[jump[0]] = jump[column + 1] / 1000;
     start[axis] = values;
   });
   return start;
@@ -29,24 +31,34 @@ function startsOf(raw, end) {
 
 /** Arcs by move number; the plane as letters of its first and second axis. */
 function arcsOf(raw) {
-  const planes = ['XY', 'ZX', 'YZ', '??'];
   const arcs = new Map();
-  const move = restore(raw.arcs.move, 1), plane = restore(raw.arcs.plane, 1);
-  const first = restore(raw.arcs.first, 1000), second = restore(raw.arcs.second, 1000);
-  const sweep = restore(raw.arcs.sweep, 1000);
+  const move = restore(raw.move, 1), plane = restore(raw.plane, 1);
+  const first = restore(raw.first, 1000), second = restore(raw.second, 1000);
+  const sweep = restore(raw.sweep, 1000);
   for (let i = 0; i < move.length; ++i) {
-    arcs.set(move[i], {plane: planes[plane[i]], first: first[i], second: second[i], sweep: sweep[i] * Math.PI / 180});
+    arcs.set(move[i], {plane: planeNames[plane[i]], first: first[i], second: second[i], sweep: sweep[i] * Math.PI / 180});
   }
   return arcs;
 }
 
-function readData(raw) {
+/** A path: starts and ends of its moves per axis, and its arcs. */
+function pathOf(raw, axes) {
   const end = {};
-  for (const axis of raw.axes) end[axis] = restore(raw.moves.end[axis], 1000);
+  for (const axis of axes) end[axis] = restore(raw.end[axis], 1000);
+  return {start: startsOf(raw, axes, end), end, arcs: arcsOf(raw.arcs), count: end[axes[0]].length};
+}
+
+/** Successive moves with something in common: first move, number, plane, and a value by its name. */
+function runsOf(raw, name) {
+  return {move: restore(raw.move, 1), count: restore(raw.count, 1), plane: restore(raw.plane, 1),
+          [name]: restore(raw[name], 1000)};
+}
+
+function readData(raw) {
   const data = {
     axes: raw.axes, texts: raw.texts, kinds: raw.actions.kinds, notes: raw.actions.notes,
     start_s: restore(raw.actions.start, 1e4), duration_s: restore(raw.actions.duration, 1e4),
-    end, start: startsOf(raw, end), arcs: arcsOf(raw),
+    moves: pathOf(raw.moves, raw.axes), swept: runsOf(raw.swept, 'radius'), programmed: null, pointing: null,
     length: restore(raw.moves.length, 1000), peak: restore(raw.moves.peak, 10),
     holes: {x: restore(raw.holes.x, 1000), y: restore(raw.holes.y, 1000), bottom: restore(raw.holes.bottom, 1000)},
     speed: {time: restore(raw.speed.time, 1e4), feed: restore(raw.speed.feed, 10), line: restore(raw.speed.line, 1)},
@@ -57,6 +69,10 @@ function readData(raw) {
     data.feedLimits = {};
     [...raw.axes].forEach((axis, i) => { data.feedLimits[axis] = raw.limits.feed[i].map((v) => v / 1000); });
   }
+  if (raw.programmed) {
+    data.programmed = {...pathOf(raw.programmed, 'XYZ'), plane: restore(raw.programmed.plane, 1)};
+  }
+  if (raw.pointing) data.pointing = {axis: raw.pointing.axis, ...runsOf(raw.pointing, 'zero')};
   numberMoves(data);
   data.rows = rowsOf(raw, data);
   return data;

@@ -4,6 +4,7 @@ class Selection {
   constructor() {
     this.pointed = null;
     this.chosen = null;
+    this.hidden = new Set();  // names of layers of the views
     this.listeners = [];
   }
   point(row) {
@@ -48,49 +49,10 @@ function addViews(data, selection) {
   const views = [plan, addView(data, selection, 'X', 'Z', 'Elevation', plan)];
   const beside = {A: 'X', B: 'Y', C: 'Z'};
   for (const axis of data.axes) {
-    const along = beside[axis];
-    if (along) views.push(addView(data, selection, along, axis, 'Unrolled', along === 'X' ? plan : null));
+    const along = beside[axis], [low, high] = data.limits[axis];
+    if (along && high > low) views.push(addView(data, selection, along, axis, 'Unrolled', along === 'X' ? plan : null));
   }
   return views;
-}
-
-function drawLegend(data) {
-  const legend = document.getElementById('legend');
-  legend.replaceChildren();
-  const add = (label, draw) => {
-    const item = document.createElement('li'), canvas = document.createElement('canvas');
-    const density = Math.max(1, window.devicePixelRatio || 1);
-    canvas.width = 32 * density;
-    canvas.height = 20 * density;
-    canvas.setAttribute('aria-hidden', 'true');
-    const context = canvas.getContext('2d');
-    context.scale(density, density);
-    draw(context);
-    item.append(canvas, label);
-    legend.append(item);
-  };
-  const stroke = (name) => (context) => {
-    context.strokeStyle = palette[name];
-    context.lineWidth = strokes[name].width;
-    context.setLineDash(strokes[name].dash);
-    context.beginPath();
-    context.moveTo(1, 10);
-    context.lineTo(31, 10);
-    context.stroke();
-  };
-  if (data.moveKinds.includes('r')) add('rapid', stroke('rapid'));
-  if (data.moveKinds.includes('l')) add('line', stroke('line'));
-  if (data.arcs.size) add('arc', stroke('arc'));
-  if (data.holes.x.length) {
-    add(`drilled hole (${data.holes.x.length})`, (context) => {
-      context.strokeStyle = palette.hole;
-      context.lineWidth = 1.6;
-      drawHole(context, 20, 10);
-    });
-  }
-  if (!data.moveCount) return;
-  add('start', (context) => { drawStart(context, 20, 10); });
-  add('end', (context) => { drawEnd(context, 22, 10); });
 }
 
 /** The sentence below the table about the block that is chosen. */
@@ -117,7 +79,10 @@ function start() {
   chart.picture.addButtons(document.getElementById('speed-buttons'), 'Speed over time');
   const table = new BlockTable(data, selection);
   const pictures = [...views.map((view) => view.picture), chart.picture];
-  drawLegend(data);
+  const legend = () => drawLegend(data, views, selection, () => {
+    for (const view of views) view.picture.redraw();
+  });
+  legend();
 
   selection.listeners.push((by) => {
     for (const picture of pictures) picture.redraw(false);
@@ -129,7 +94,7 @@ function start() {
 
   const repaint = () => {
     readPalette();
-    drawLegend(data);
+    legend();
     for (const picture of pictures) picture.drawNow();
   };
   window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', repaint);

@@ -4,7 +4,8 @@ const palette = {};
 
 function readPalette() {
   const style = getComputedStyle(document.documentElement);
-  for (const name of ['surface', 'edge', 'grid', 'text', 'soft', 'rapid', 'line', 'arc', 'hole', 'mark', 'area']) {
+  for (const name of ['surface', 'edge', 'grid', 'text', 'soft', 'rapid', 'line', 'arc', 'programmed', 'swept',
+                      'pointing', 'hole', 'mark', 'area']) {
     palette[name] = style.getPropertyValue('--' + name).trim();
   }
 }
@@ -14,7 +15,15 @@ const strokes = {
   rapid: {width: 1, dash: [5, 4]},
   line: {width: 1.3, dash: []},
   arc: {width: 2.4, dash: []},
+  programmed: {width: 1.1, dash: [9, 3]},
+  pointing: {width: 1.5, dash: []},
 };
+
+function setStroke(context, name) {
+  context.strokeStyle = palette[name];
+  context.lineWidth = strokes[name].width;
+  context.setLineDash(strokes[name].dash);
+}
 
 const strokeOf = (kind) => kind === 'r' ? 'rapid' : kind === 'l' ? 'line' : 'arc';
 

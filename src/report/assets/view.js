@@ -14,6 +14,8 @@ class ToolpathView {
     this.pristine = true;
     this.stretch = 1;  // vertical over horizontal scale
     this.plan = vertical === 'Y';
+    this.moves = new PathOnView(this, data.moves);
+    this.toolLayers = toolLayersOf(this);
     host.style.height = `${this.preferredHeight(host.clientWidth || 800)}px`;
     this.picture = new Picture(host, `${horizontal}-${vertical} view of the toolpath`, {
       draw: (context) => this.draw(context),
@@ -83,52 +85,6 @@ class ToolpathView {
     this.centerY += atY - this.fromY(y);
   }
 
-  /** Position on the view after a fraction of a move. */
-  at(move, fraction) {
-    const {start, end} = this.data;
-    const straight = (axis) => start[axis][move] + fraction * (end[axis][move] - start[axis][move]);
-    const arc = this.data.arcs.get(move);
-    if (!arc || fraction <= 0 || fraction >= 1 || arc.plane === '??') return [straight(this.h), straight(this.v)];
-    const [p, q] = arc.plane;
-    const dp = start[p][move] - arc.first, dq = start[q][move] - arc.second;
-    const radius = Math.hypot(dp, dq) * (1 - fraction) +
-        Math.hypot(end[p][move] - arc.first, end[q][move] - arc.second) * fraction;
-    const angle = Math.atan2(dq, dp) + fraction * arc.sweep;
-    const turned = (axis) => axis === p ? arc.first + radius * Math.cos(angle) :
-        axis === q ? arc.second + radius * Math.sin(angle) : straight(axis);
-    return [turned(this.h), turned(this.v)];
-  }
-
-  radius(move, arc) {
-    const [p, q] = arc.plane === '??' ? 'XY' : arc.plane;
-    return Math.hypot(this.data.start[p][move] - arc.first, this.data.start[q][move] - arc.second);
-  }
-
-  /** Chords of a move that stay within a quarter of a pixel of it. */
-  chords(move, most) {
-    const arc = this.data.arcs.get(move);
-    if (!arc) return 1;
-    const pixels = Math.max(1, this.radius(move, arc) * this.scale * Math.max(1, this.stretch));
-    return Math.min(most, Math.max(4, Math.ceil(Math.abs(arc.sweep) / Math.sqrt(2 / pixels))));
-  }
-
-  /** Whether a move may come within `reach` pixels of the rectangle, given in machine coordinates. */
-  touches(move, box) {
-    const {start, end} = this.data;
-    const arc = this.data.arcs.get(move);
-    const within = (axis, low, high) => {
-      let from = Math.min(start[axis][move], end[axis][move]), to = Math.max(start[axis][move], end[axis][move]);
-      const part = arc ? arc.plane.indexOf(axis) : -1;
-      if (part >= 0) {
-        const center = part === 0 ? arc.first : arc.second, radius = this.radius(move, arc) * 1.01;
-        from = Math.min(from, center - radius);
-        to = Math.max(to, center + radius);
-      }
-      return to >= low && from <= high;
-    };
-    return within(this.h, box.left, box.right) && within(this.v, box.bottom, box.top);
-  }
-
   boxAround(left, top, right, bottom) {
     return {left: this.fromX(left), right: this.fromX(right), top: this.fromY(top), bottom: this.fromY(bottom)};
   }
@@ -141,7 +97,11 @@ class ToolpathView {
     this.drawGrid(context);
     this.drawFeedLimits(context);
     const box = this.boxAround(-10, -10, width + 10, height + 10);
+    const shows = (layer) => !this.selection.hidden.has(layer.name);
+    const layers = this.toolLayers.filter(shows);
+    for (const layer of layers) if (!layer.above) layer.draw(context, box);
     for (const name of ['rapid', 'line', 'arc']) this.drawKind(context, name, box);
+    for (const layer of layers) if (layer.above) layer.draw(context, box);
     if (this.plan) this.drawHoles(context, box);
     this.drawEnds(context);
     this.drawLabels(context);
@@ -188,26 +148,13 @@ class ToolpathView {
 
   drawKind(context, name, box) {
     const {data} = this;
-    context.strokeStyle = palette[name];
-    context.lineWidth = strokes[name].width;
-    context.setLineDash(strokes[name].dash);
+    setStroke(context, name);
     const pen = new Pen(context);
     for (let move = 0; move < data.moveCount; ++move) {
-      if (strokeOf(data.moveKinds[move]) === name && this.touches(move, box)) this.trace(pen, move, 4000);
+      if (strokeOf(data.moveKinds[move]) === name && this.moves.touches(move, box)) this.moves.trace(pen, move, 4000);
     }
     pen.finish();
     context.setLineDash([]);
-  }
-
-  trace(pen, move, mostChords) {
-    const {start, end} = this.data;
-    pen.moveTo(this.toX(start[this.h][move]), this.toY(start[this.v][move]));
-    const chords = this.chords(move, mostChords);
-    for (let i = 1; i < chords; ++i) {
-      const [x, y] = this.at(move, i / chords);
-      pen.lineTo(this.toX(x), this.toY(y));
-    }
-    pen.lineTo(this.toX(end[this.h][move]), this.toY(end[this.v][move]));
   }
 
   drawHoles(context, box) {
@@ -223,8 +170,8 @@ class ToolpathView {
   drawEnds(context) {
     const {data} = this, last = data.moveCount - 1;
     if (last < 0) return;
-    drawEnd(context, this.toX(data.end[this.h][last]), this.toY(data.end[this.v][last]));
-    drawStart(context, this.toX(data.start[this.h][0]), this.toY(data.start[this.v][0]));
+    drawEnd(context, this.toX(data.moves.end[this.h][last]), this.toY(data.moves.end[this.v][last]));
+    drawStart(context, this.toX(data.moves.start[this.h][0]), this.toY(data.moves.start[this.v][0]));
   }
 
   drawLabels(context) {
@@ -290,10 +237,10 @@ class ToolpathView {
       context.strokeStyle = color;
       context.lineWidth = width + extra;
       const pen = new Pen(context);
-      for (let move = row.move; move <= last; ++move) this.trace(pen, move, 4000);
+      for (let move = row.move; move <= last; ++move) this.moves.trace(pen, move, 4000);
       pen.finish();
     }
-    const x = this.toX(this.data.end[this.h][last]), y = this.toY(this.data.end[this.v][last]);
+    const x = this.toX(this.data.moves.end[this.h][last]), y = this.toY(this.data.moves.end[this.v][last]);
     context.fillStyle = palette.mark;
     context.beginPath();
     context.arc(x, y, width * 0.5 + 2.5, 0, 2 * Math.PI);
@@ -317,94 +264,10 @@ class ToolpathView {
     const box = this.boxAround(x - pickDistance, y - pickDistance, x + pickDistance, y + pickDistance);
     let best = -1, nearest = pickDistance;
     for (let move = 0; move < data.moveCount; ++move) {
-      if (!this.touches(move, box)) continue;
-      const distance = this.distance(move, x, y);
+      if (!this.moves.touches(move, box)) continue;
+      const distance = this.moves.distance(move, x, y);
       if (distance < nearest) { nearest = distance; best = move; }
     }
     return best < 0 ? null : data.rows[data.rowOfMove[best]];
   }
-
-  distance(move, x, y) {
-    const chords = this.chords(move, 200);
-    let nearest = Infinity, [fromX, fromY] = this.at(move, 0).map((v, i) => i ? this.toY(v) : this.toX(v));
-    for (let i = 1; i <= chords; ++i) {
-      const [mx, my] = this.at(move, i / chords);
-      const toX = this.toX(mx), toY = this.toY(my);
-      nearest = Math.min(nearest, distanceToSegment(x, y, fromX, fromY, toX, toY));
-      fromX = toX;
-      fromY = toY;
-    }
-    return nearest;
-  }
-}
-
-/** Joins strokes that follow each other and leaves out points closer than a screen shows. */
-class Pen {
-  constructor(context) {
-    this.context = context;
-    this.count = 0;
-    this.x = this.y = NaN;
-    this.skipped = false;
-    context.beginPath();
-  }
-  moveTo(x, y) {
-    const joined = Math.abs(x - this.nextX) < 0.01 && Math.abs(y - this.nextY) < 0.01;
-    if (joined) return;
-    this.flush();
-    if (this.count > 4000) this.stroke();
-    this.context.moveTo(x, y);
-    this.x = this.nextX = x;
-    this.y = this.nextY = y;
-  }
-  lineTo(x, y) {
-    this.nextX = x;
-    this.nextY = y;
-    this.skipped = Math.abs(x - this.x) < 0.6 && Math.abs(y - this.y) < 0.6;
-    if (!this.skipped) this.emit();
-  }
-  emit() {
-    this.context.lineTo(this.nextX, this.nextY);
-    this.x = this.nextX;
-    this.y = this.nextY;
-    this.skipped = false;
-    ++this.count;
-  }
-  flush() { if (this.skipped) this.emit(); }
-  stroke() {
-    this.context.stroke();
-    this.context.beginPath();
-    this.count = 0;
-  }
-  finish() { this.flush(); this.context.stroke(); }
-}
-
-function distanceToSegment(x, y, x1, y1, x2, y2) {
-  const dx = x2 - x1, dy = y2 - y1, square = dx * dx + dy * dy;
-  // A move straight through the picture is a point; others near it are easier to mean.
-  if (square < 0.25) return Math.hypot(x - x1, y - y1) + 3;
-  const t = Math.min(1, Math.max(0, ((x - x1) * dx + (y - y1) * dy) / square));
-  return Math.hypot(x - x1 - t * dx, y - y1 - t * dy);
-}
-
-function drawHole(context, x, y) {
-  context.beginPath();
-  context.arc(x, y, 4.5, 0, 2 * Math.PI);
-  context.moveTo(x - 7.5, y);
-  context.lineTo(x + 7.5, y);
-  context.moveTo(x, y - 7.5);
-  context.lineTo(x, y + 7.5);
-  context.stroke();
-}
-
-function drawStart(context, x, y) {
-  context.strokeStyle = palette.text;
-  context.lineWidth = 1.8;
-  context.beginPath();
-  context.arc(x, y, 7.5, 0, 2 * Math.PI);
-  context.stroke();
-}
-
-function drawEnd(context, x, y) {
-  context.fillStyle = palette.text;
-  context.fillRect(x - 4, y - 4, 8, 8);
 }
