@@ -1,5 +1,7 @@
 #include "execute/polar_plane.hpp"
 
+#include "geometry/polar.hpp"
+
 namespace kerf {
 namespace {
 
@@ -24,6 +26,16 @@ PlanarSegment polar_contour(const Move& move) {
   if (!is_arc(move.mode)) return straight(start, end);
   const Vec2 center = side * Vec2{move.arc.center[0] - polar.center, move.arc.center[1]};
   return curved(start, end, center, move.arc.radius, move.arc.sweep);
+}
+
+PolarReach polar_reach(const Move& move) {
+  const PolarPlane& polar = move.polar;
+  const PolarRange range = polar_range(polar_contour(move));
+  const double near = polar.minus ? -range.greatest_radius : range.least_radius;
+  const double far = polar.minus ? -range.least_radius : range.greatest_radius;
+  const double from = move.start[polar.rotary];
+  return {polar.center + near, polar.center + far, from + range.least_turn_deg,
+          from + range.greatest_turn_deg};
 }
 
 Move in_polar_plane(const Move& move) {

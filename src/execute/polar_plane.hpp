@@ -11,6 +11,17 @@ namespace kerf {
 /// point that of the rotary axis (PolarPlane). For either form.
 PlanarSegment polar_contour(const Move& move);
 
+/// What the axes of a move of PolarForm::axes reach, machine coordinates: between its ends the linear axis
+/// may come nearer to the centre of rotation than at either, and the rotary axis turn back on an arc.
+struct PolarReach {
+  double linear_low = 0.0;
+  double linear_high = 0.0;
+  double rotary_low = 0.0;
+  double rotary_high = 0.0;
+};
+
+PolarReach polar_reach(const Move& move);
+
 /// The same move with the coordinates of the plane for those of the axes.
 Move in_polar_plane(const Move& move);
 

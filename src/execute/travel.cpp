@@ -16,18 +16,13 @@ struct Extent {
   AxisVector high;
 };
 
-/// Between its ends the linear axis may come nearer to the centre of rotation than either, and the rotary
-/// axis turn back on an arc.
 Extent polar_extent(const Move& move) {
   Extent extent{move.end, move.end};
-  const PolarPlane& polar = move.polar;
-  const PolarRange range = polar_range(polar_contour(move));
-  const double near = polar.minus ? -range.greatest_radius : range.least_radius;
-  const double far = polar.minus ? -range.least_radius : range.greatest_radius;
-  extent.low[polar.linear] = polar.center + near;
-  extent.high[polar.linear] = polar.center + far;
-  extent.low[polar.rotary] = move.start[polar.rotary] + range.least_turn_deg;
-  extent.high[polar.rotary] = move.start[polar.rotary] + range.greatest_turn_deg;
+  const PolarReach reach = polar_reach(move);
+  extent.low[move.polar.linear] = reach.linear_low;
+  extent.high[move.polar.linear] = reach.linear_high;
+  extent.low[move.polar.rotary] = reach.rotary_low;
+  extent.high[move.polar.rotary] = reach.rotary_high;
   return extent;
 }
 

@@ -141,7 +141,13 @@ void append_limits(std::string& out, const RunExtents& extents, const std::vecto
     }
     out += ']';
   };
-  out += "\"axes\":\"";
+  out += "\"across\":";
+  if (extents.across) {
+    out += {'"', letter(extents.across->shown), letter(extents.across->rotary), '"'};
+  } else {
+    out += "null";
+  }
+  out += ",\"axes\":\"";
   for (const Axis axis : axes) out += letter(axis);
   out += "\",\"limits\":{";
   append_extents("all", extents.drawn);
@@ -149,7 +155,7 @@ void append_limits(std::string& out, const RunExtents& extents, const std::vecto
   if (extents.cutting[index(Axis::X)].empty()) {
     out += "\"feed\":null";
   } else {
-    append_extents("feed", extents.cutting);
+    append_extents("feed", extents.drawn_cutting);
   }
   out += "},\n";
 }
@@ -158,9 +164,10 @@ void append_moves(std::string& out, const RunRecord& record, const std::vector<A
   HtmlPath path(axes);
   Differences length;
   Differences peak;
+  Move figure;
   for (const TimedAction& timed : record.actions) {
-    const auto* move = std::get_if<Move>(&timed.action.what);
-    if (move == nullptr || !is_drawable(*move)) continue;
+    const Move* const move = drawn_move(timed, figure);
+    if (move == nullptr) continue;
     path.add(*move);
     length.add(counts_of(timed.length_mm, kPerMm));
     peak.add(counts_of(timed.peak_feed_mm_min, kPerFeed));

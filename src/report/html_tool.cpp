@@ -87,9 +87,10 @@ void append_tool_layers(std::string& out, const ReportInput& input) {
   Runs swept("radius");
   Runs pointing("zero");
   std::int64_t number = 0;
+  Move figure;
   for (const TimedAction& timed : input.record.actions) {
-    const auto* move = std::get_if<Move>(&timed.action.what);
-    if (move == nullptr || !is_drawable(*move)) continue;
+    const Move* const move = drawn_move(timed, figure);
+    if (move == nullptr) continue;
     const int plane = plane_number(move->plane);
     const std::int64_t radius = counts_of(swept_radius(*move), kPerMm);
     if (radius > 0) swept.add(number, radius, plane);

@@ -66,6 +66,19 @@ void write_arc(const Move& move, std::string& out) {
   append_number(out, move.arc.sweep);
 }
 
+/// What makes the positions of the axes a figure on the work.
+void write_polar(const PolarPlane& polar, std::string& out) {
+  out += ",\"polar\":{\"linear\":\"";
+  out += letter(polar.linear);
+  out += "\",\"rotary\":\"";
+  out += letter(polar.rotary);
+  out += "\",\"center\":";
+  append_number(out, polar.center);
+  out += ",\"zero\":";
+  append_number(out, polar.zero);
+  out += '}';
+}
+
 void write_event(const Origin& origin, const Dwell& dwell, std::string& out) {
   out += "{\"event\":\"dwell\",\"seconds\":";
   append_number(out, dwell.seconds);
@@ -155,6 +168,7 @@ void JsonLines::write_move(const Origin& origin, const Move& move, std::string& 
     append_number(out, feed_ ? feed_(move) : move.feed);
   }
   if (is_arc(move.mode)) write_arc(move, out);
+  if (move.polar.form == PolarForm::axes) write_polar(move.polar, out);
   out += '}';
 }
 

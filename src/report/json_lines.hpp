@@ -10,7 +10,10 @@
 namespace kerf {
 
 /// Writes actions as JSON Lines. Lengths in mm, angles in degrees, feeds in mm/min, times in seconds, machine
-/// coordinates; every number reads back as the double it was. The same action always gives the same bytes.
+/// coordinates; every number reads back as the double it was. A move in a polar plane has the positions of
+/// its axes at its ends, and the member polar: x = r cos a, y = r sin a on the work, r being the linear axis
+/// less `center`, a the rotary axis less `zero`; between its ends it runs straight there, or on the arc. The
+/// same action always gives the same bytes.
 class JsonLines {
  public:
   /// The feed that is in force for a move that is no rapid, mm/min: the programmed one after clamping and

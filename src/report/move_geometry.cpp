@@ -4,6 +4,9 @@
 #include <numbers>
 #include <optional>
 
+#include "execute/polar_plane.hpp"
+#include "report/polar_picture.hpp"
+
 namespace kerf {
 namespace {
 
@@ -64,6 +67,20 @@ Extents extents_of_move(const Move& move) {
     const AxisVector position = position_at(move, static_cast<double>(part) / parts);
     for (std::size_t i = 0; i < kAxisCount; ++i) extents[i].include(position.values[i]);
   }
+  return extents;
+}
+
+/// Where the axes of the machine go.
+Extents extents_of_axes(const Move& move) {
+  if (move.polar.form == PolarForm::none) return extents_of_move(move);
+  Extents extents;
+  for (std::size_t i = 0; i < kAxisCount; ++i) {
+    extents[i].include(move.start.values[i]);
+    extents[i].include(move.end.values[i]);
+  }
+  const PolarReach reach = polar_reach(move);
+  extents[index(move.polar.linear)].include({reach.linear_low, reach.linear_high});
+  extents[index(move.polar.rotary)].include({reach.rotary_low, reach.rotary_high});
   return extents;
 }
 
@@ -149,15 +166,33 @@ bool is_drawable(const Move& move) {
   return finite;
 }
 
+const Move* drawn_move(const TimedAction& timed, Move& figure) {
+  const auto* move = std::get_if<Move>(&timed.action.what);
+  if (move == nullptr || !is_drawable(*move)) return nullptr;
+  if (!figure_axis(*move)) return move;
+  figure = as_figure(*move);
+  return &figure;
+}
+
 RunExtents extents_of(const std::vector<TimedAction>& actions, const DrawingExtras& extras) {
   RunExtents extents;
+  Move figure;
   for (const TimedAction& timed : actions) {
-    const auto* move = std::get_if<Move>(&timed.action.what);
-    if (move == nullptr || !is_drawable(*move)) continue;
+    const Move* const move = drawn_move(timed, figure);
+    if (move == nullptr) continue;
     extents.empty = false;
-    const Extents covered = extents_of_move(*move);
-    include(extents.all, covered);
-    if (move->mode != MoveMode::rapid) include(extents.cutting, covered);
+    const Move& of_axes = std::get<Move>(timed.action.what);
+    const Extents reached = extents_of_axes(of_axes);
+    Extents covered = extents_of_move(*move);
+    if (move != &of_axes) {
+      covered[index(of_axes.polar.rotary)] = reached[index(of_axes.polar.rotary)];
+      extents.across = Across{*figure_axis(of_axes), of_axes.polar.rotary};
+    }
+    include(extents.all, reached);
+    if (move->mode != MoveMode::rapid) {
+      include(extents.cutting, reached);
+      include(extents.drawn_cutting, covered);
+    }
     include(extents.drawn, widened(covered, *move));
   }
   const std::size_t programmed = extras.programmed == nullptr ? 0 : extras.programmed->size();
@@ -172,9 +207,10 @@ RunExtents extents_of(const std::vector<TimedAction>& actions, const DrawingExtr
 std::vector<Hole> find_holes(const std::vector<TimedAction>& actions) {
   std::vector<Hole> holes;
   HoleFinder finder(holes);
+  Move figure;
   for (const TimedAction& timed : actions) {
-    const auto* move = std::get_if<Move>(&timed.action.what);
-    if (move != nullptr && is_drawable(*move)) finder.follow(*move);
+    const Move* const move = drawn_move(timed, figure);
+    if (move != nullptr) finder.follow(*move);
   }
   finder.leave();
   return holes;

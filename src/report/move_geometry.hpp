@@ -83,12 +83,25 @@ int chord_count(const Move& move);
 /// False for a move with a coordinate that is not finite, which no picture can show.
 bool is_drawable(const Move& move);
 
+/// The move of an action as drawings show it, kept in `figure` where it is another than that of the action;
+/// null: there is none, or one with a coordinate that is not finite.
+const Move* drawn_move(const TimedAction& timed, Move& figure);
+
+/// Of figures on the work: which axis a picture shows them along, and which rotary axis makes them.
+struct Across {
+  Axis shown = Axis::Y;
+  Axis rotary = Axis::C;
+};
+
 /// What a run covers.
 struct RunExtents {
-  std::array<Extent, kAxisCount> all;      ///< every move
-  std::array<Extent, kAxisCount> cutting;  ///< moves at feed
-  std::array<Extent, kAxisCount> drawn;    ///< every move, what the tool sweeps, and the programmed path
-  bool empty = true;                       ///< nothing moves
+  std::array<Extent, kAxisCount> all;            ///< where the axes go, every move
+  std::array<Extent, kAxisCount> cutting;        ///< likewise, moves at feed
+  std::array<Extent, kAxisCount> drawn;          ///< pictures of every move, what the tool sweeps, and the
+                                                 ///< programmed path
+  std::array<Extent, kAxisCount> drawn_cutting;  ///< pictures of moves at feed
+  std::optional<Across> across;                  ///< figures of a polar plane are among the pictures
+  bool empty = true;                             ///< nothing moves
 };
 
 RunExtents extents_of(const std::vector<TimedAction>& actions, const DrawingExtras& extras = {});

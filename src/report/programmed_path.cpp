@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "report/move_geometry.hpp"
+#include "report/polar_picture.hpp"
 
 namespace kerf {
 namespace {
@@ -27,20 +28,21 @@ bool is_seen(const Plane& plane) {
 }  // namespace
 
 void ProgrammedPath::add(const Action& action) {
-  const auto* move = std::get_if<Move>(&action.what);
-  if (move == nullptr) return;
-  const bool in_force = is_in_force(move->compensation);
+  const auto* programmed = std::get_if<Move>(&action.what);
+  if (programmed == nullptr) return;
+  const bool in_force = is_in_force(programmed->compensation);
   if (!in_force && !displaced_) return;
-  const bool moves = moves_in_plane(*move);
+  const Move move = as_figure(*programmed);
+  const bool moves = moves_in_plane(move);
   displaced_ = in_force || !moves;
-  if (!moves || !is_seen(move->plane) || !is_drawable(*move)) return;
+  if (!moves || !is_seen(move.plane) || !is_drawable(move)) return;
   if (moves_.size() == kMost) {
     truncated_ = true;
     return;
   }
-  Kept kept{action.origin.block, move->mode, move->plane, {}, {}, move->arc};
-  std::copy_n(move->start.values.begin(), kept.start.size(), kept.start.begin());
-  std::copy_n(move->end.values.begin(), kept.end.size(), kept.end.begin());
+  Kept kept{action.origin.block, move.mode, move.plane, {}, {}, move.arc};
+  std::copy_n(move.start.values.begin(), kept.start.size(), kept.start.begin());
+  std::copy_n(move.end.values.begin(), kept.end.size(), kept.end.begin());
   moves_.push_back(kept);
 }
 

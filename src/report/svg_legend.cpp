@@ -78,9 +78,10 @@ Legend legend_of(const std::vector<TimedAction>& actions, const DrawingExtras& e
   Legend legend;
   legend.holes = holes;
   legend.programmed = shows_programmed(extras);
+  Move figure;
   for (const TimedAction& timed : actions) {
-    const auto* move = std::get_if<Move>(&timed.action.what);
-    if (move == nullptr || !is_drawable(*move)) continue;
+    const Move* const move = drawn_move(timed, figure);
+    if (move == nullptr) continue;
     const bool rapid = move->mode == MoveMode::rapid;
     legend.arc = legend.arc || is_arc(move->mode);
     legend.rapid = legend.rapid || rapid;

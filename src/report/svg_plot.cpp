@@ -62,13 +62,20 @@ struct Ends {
 
 std::optional<Ends> ends_of(const RunRecord& record) {
   std::optional<Ends> ends;
+  Move figure;
   for (const TimedAction& timed : record.actions) {
-    const auto* move = std::get_if<Move>(&timed.action.what);
-    if (move == nullptr || !is_drawable(*move)) continue;
+    const Move* const move = drawn_move(timed, figure);
+    if (move == nullptr) continue;
     if (!ends) ends = Ends{move->start, move->end};
     ends->end = move->end;
   }
   return ends;
+}
+
+/// "Y (mm)", and what else is shown along the axis.
+std::string length_title(const RunExtents& extents, Axis axis) {
+  if (!extents.across || extents.across->shown != axis) return fmt::format("{} (mm)", letter(axis));
+  return fmt::format("{}, and {} across the work (mm)", letter(axis), letter(extents.across->rotary));
 }
 
 /// The plan: one scale for both axes, chosen so that it fills the frame's width or its largest height.
@@ -96,8 +103,8 @@ ViewFrame plan_frame(const RunExtents& extents, double top) {
   frame.height = moves_height + kScaleBar;
   frame.x_low = x.middle() - frame.width / frame.x_scale / 2.0;
   frame.y_low = y.middle() - (moves_height / 2.0 + kScaleBar) / frame.y_scale;
-  frame.x_title = "X (mm)";
-  frame.y_title = "Y (mm)";
+  frame.x_title = length_title(extents, Axis::X);
+  frame.y_title = length_title(extents, Axis::Y);
   return frame;
 }
 
@@ -118,7 +125,7 @@ ViewFrame elevation_frame(const RunExtents& extents, const ViewFrame& plan) {
   frame.y_scale = plan.y_scale * factor;
   frame.height = std::max(natural * factor, kLowest);
   frame.y_low = z.middle() - frame.height / frame.y_scale / 2.0;
-  frame.y_title = "Z (mm)";
+  frame.y_title = length_title(extents, Axis::Z);
   if (factor != 1.0) frame.y_title += ", drawn ×" + rounded_text(factor, 6);
   return frame;
 }

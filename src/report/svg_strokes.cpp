@@ -109,9 +109,10 @@ ViewStrokes strokes_at(const std::vector<TimedAction>& actions, const DrawingExt
   SvgPath arc(tolerance);
   SweptBands swept(frame, tolerance);
   DirectionTicks direction(frame, tolerance);
+  Move figure;
   for (const TimedAction& timed : actions) {
-    const auto* move = std::get_if<Move>(&timed.action.what);
-    if (move == nullptr || !is_drawable(*move)) continue;
+    const Move* const move = drawn_move(timed, figure);
+    if (move == nullptr) continue;
     draw(*move, frame, is_arc(move->mode) ? arc : move->mode == MoveMode::rapid ? rapid : line);
     swept.add(*move);
     if (extras.normal_axis) direction.add(*move, *extras.normal_axis);

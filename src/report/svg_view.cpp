@@ -77,8 +77,8 @@ void append_frame(std::string& out, const ViewFrame& frame) {
 }
 
 void append_bounds(std::string& out, const ViewFrame& frame, const RunExtents& extents) {
-  const Extent& x = extents.cutting[index(frame.view.horizontal)];
-  const Extent& y = extents.cutting[index(frame.view.vertical)];
+  const Extent& x = extents.drawn_cutting[index(frame.view.horizontal)];
+  const Extent& y = extents.drawn_cutting[index(frame.view.vertical)];
   if (x.empty() || y.empty()) return;
   const Point2 corner = frame.place({x.low, y.high});
   out += fmt::format("<rect class=\"bounds\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\n",

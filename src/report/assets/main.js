@@ -39,7 +39,10 @@ function addView(data, selection, horizontal, vertical, title, leader) {
   toolpath.picture.on.draw = (context) => {
     draw(context);
     const stretched = !toolpath.plan && 'XYZ'.includes(vertical) && toolpath.stretch !== 1;
-    note.textContent = stretched ? `height drawn ×${Number(toolpath.stretch.toPrecision(3))}` : '';
+    const notes = stretched ? [`height drawn ×${Number(toolpath.stretch.toPrecision(3))}`] : [];
+    if (data.across && [horizontal, vertical].includes(data.across[0]))
+      notes.push(`${data.across[1]} across the work is drawn along ${data.across[0]}`);
+    note.textContent = notes.join(' · ');
   };
   return toolpath;
 }
