@@ -37,7 +37,9 @@ kerf_step "writing a program of $blocks blocks" build/bench-input.log bash -c "
   $work/make_finishing $blocks > $work/finishing.nc
   $work/make_finishing 20000 > $work/small.nc
   mkdir -p $work/store
-  awk -v folder=$work/store -f bench/melsec_store.awk" || exit 1
+  awk -v folder=$work/store -f bench/melsec_store.awk
+  mkdir -p $work/contour
+  awk -v folder=$work/contour -f bench/melsec_contour.awk" || exit 1
 printf '%%\n#101=0\nWHILE [#101 LT 10000000] DO1\n#101=#101+1\nEND1\nM02\n%%\n' >"$work/loop.gcd"
 # rs274 wants to know the tool and has no eight-digit program number.
 printf 'T7 P7 Z+48.0 D+4.0 ;ball nose\n' >"$work/tool.tbl"
@@ -132,6 +134,14 @@ measure 'kerf path --quiet' "$kerf" path --quiet $variables "$work/store/O001.gc
 base=$median
 # shellcheck disable=SC2086 # a list of words
 measure 'kerf run' "$kerf" run $variables "$work/store/O001.gcd"
+
+heading 'MELSEC: a contour, plain and with tool radius compensation' 988110 "$(cat "$work"/contour/O00[2-6].gcd | wc -c)"
+base=
+# shellcheck disable=SC2086 # a list of words
+measure 'kerf path --quiet, G40' "$kerf" path --quiet $variables --set tools.1.radius=5 "$work/contour/O006.gcd"
+base=$median
+# shellcheck disable=SC2086 # a list of words
+measure 'kerf path --quiet, G42' "$kerf" path --quiet $variables --set tools.1.radius=5 "$work/contour/O007.gcd"
 
 heading 'MELSEC: a loop of ten million turns, three statements each' 30000000 "$(wc -c <"$work/loop.gcd")"
 base=

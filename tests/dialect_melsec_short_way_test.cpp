@@ -1,5 +1,5 @@
 // The short way for blocks of coordinates must give what the whole way gives: random programs are executed as
-// they are and with a D word, which changes nothing but the way, in every block of coordinates.
+// they are and with an H word, which changes nothing but the way, in every block of coordinates.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -42,10 +42,10 @@ std::string coordinates(Random& random) {
 }
 
 std::string change(Random& random) {
-  constexpr const char* kChanges[] = {"G00",        "G01",   "G90",     "G91",   "G54",    "G55",
-                                      "G61",        "G64",   "G61.1",   "G43H1", "G44XH1", "G49",
-                                      "G52Y3.",     "F300.", "G68R30.", "G69",   "G90X1.", "G53X5.Y5.",
-                                      "G02X1.R50.", "M10",   "G04P5"};
+  constexpr const char* kChanges[] = {
+      "G00",    "G01",   "G90",    "G91",   "G54",     "G55", "G61",    "G64",       "G61.1",      "G43H1",
+      "G44XH1", "G49",   "G52Y3.", "F300.", "G68R30.", "G69", "G90X1.", "G53X5.Y5.", "G02X1.R50.", "M10",
+      "G04P5",  "G41D1", "G42D2",  "G41D1", "G40",     "D2",  "G18",    "G17",       "G38X1."};
   const std::string chosen = kChanges[below(random, std::size(kChanges))];
   return chosen == "G44XH1" ? "G44X1.H1" : chosen;
 }
@@ -68,7 +68,7 @@ Programs random_programs(unsigned seed) {
       programs.marked += block;
     } else if (const std::string block = coordinates(random); !block.empty()) {
       programs.plain += block + "\n";
-      programs.marked += block + "D0\n";
+      programs.marked += block + "H0\n";
     }
   }
   programs.plain += "M02\n%\n";
@@ -93,12 +93,13 @@ void expect_same(const std::vector<std::string>& assignments) {
 }
 
 TEST(MelsecShortWay, GivesWhatTheWholeWayGives) {
-  expect_same({"offsets.G55.X=12.3456", "tools.1.length=7", "axes.Y.limits=[-30,30]"});
+  expect_same({"offsets.G55.X=12.3456", "tools.1.length=7", "tools.1.radius=3", "tools.2.radius=0.5",
+               "axes.Y.limits=[-30,30]"});
 }
 
 TEST(MelsecShortWay, GivesWhatTheWholeWayGivesWithOtherSettings) {
   expect_same({"melsec.work.coordinate_rotation_type=1", "melsec.axis.C.rotation_axis_type=3",
-               "tools.1.length=-2.5", "axes.X.limits=[-40,100]"});
+               "tools.1.length=-2.5", "tools.1.radius=0", "tools.2.radius=-1", "axes.X.limits=[-40,100]"});
 }
 
 }  // namespace

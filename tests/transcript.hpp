@@ -19,11 +19,17 @@ inline std::string described(const Action& action) {
   if (const auto* alarm = std::get_if<Alarm>(&action.what)) return std::string(alarm->kind->detail);
   const auto* move = std::get_if<Move>(&action.what);
   if (move == nullptr) return fmt::format("action {}", action.what.index());
-  return fmt::format("{} {} {} {} {} {} {} {} | {} | {} | {} F{}", static_cast<int>(move->mode),
+  const RadiusCompensation& radius = move->compensation;
+  const std::string beside =
+      radius.side == Side::none
+          ? ""
+          : fmt::format(" {} {} {} in {}{}", radius.amount, radius.start, static_cast<int>(radius.rule),
+                        letter(move->plane.first), letter(move->plane.second));
+  return fmt::format("{} {} {} {} {} {} {} {} | {} | {} | {} F{}{}", static_cast<int>(move->mode),
                      static_cast<int>(move->path_mode), move->each_axis, move->axis_words,
                      static_cast<int>(move->compensation.side), move->rotary_feed.active, move->from_rest,
                      move->exact_stop, described(move->start), described(move->end),
-                     described(move->commanded), move->feed);
+                     described(move->commanded), move->feed, beside);
 }
 
 /// All actions of a program, alarms included, which it goes on behind; no more than a thousand.

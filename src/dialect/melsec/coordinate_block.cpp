@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "dialect/melsec/numbers.hpp"
+#include "dialect/melsec/radius.hpp"
 #include "execute/grid.hpp"
 #include "execute/moves.hpp"
 
@@ -11,7 +12,6 @@ namespace {
 
 bool straight_in_force(const Registers& registers) {
   const Placement& placement = registers.placement;
-  if (registers.modal[Group::radius_compensation] != code(40)) return false;
   if (registers.modal[Group::normal_line] != code(40, 1)) return false;
   if (placement.rotation.active || placement.absolute_wanted || placement.rest_wanted || placement.polar.on)
     return false;
@@ -70,9 +70,15 @@ bool run_coordinate_block(const Rules& rules, const Block& block, State& state, 
   Registers& registers = state.registers;
   if (block.words.size() > static_cast<std::size_t>(kContouringAxes) || !straight_in_force(registers))
     return false;
+  const bool compensated = is_compensated(registers);
+  const std::optional<Plane> plane =
+      compensated ? plane_of(registers.modal[Group::plane], rules.settings()) : kPlaneXY;
+  if (!plane) return false;
   const AxisVector origin = workpiece_origin(registers, state.tables);
   Ends ends;
   if (!read_ends(rules, block, registers, origin, ends)) return false;
+  if (compensated)
+    registers.radius_amount = state.tables.radius[static_cast<std::size_t>(registers.radius_number)];
   const AxisVector& machine = registers.placement.machine;
   if (moves(ends, machine)) {
     const bool rapid = registers.modal[Group::motion] == code(0);
@@ -88,6 +94,8 @@ bool run_coordinate_block(const Rules& rules, const Block& block, State& state, 
       move.end[axis] = ends.machine[index(axis)];
       move.commanded[axis] = ends.programmed[index(axis)] - origin[axis];
     }
+    move.plane = *plane;
+    if (compensated) move.compensation = compensation_in_force(registers);
     move.path_mode = path_mode_of(registers.modal[Group::path_mode]);
     move.exact_stop = move.path_mode == PathMode::exact_stop;
     move.each_axis = rapid && rules.settings().each_axis;

@@ -6,6 +6,7 @@
 #include "dialect/melsec/alarms.hpp"
 #include "dialect/melsec/block_run.hpp"
 #include "dialect/melsec/placement.hpp"
+#include "dialect/melsec/radius.hpp"
 #include "execute/grid.hpp"
 #include "execute/moves.hpp"
 #include "geometry/arc_construction.hpp"
@@ -188,13 +189,9 @@ bool BlockRun::plane_axes(Plane& plane) {
     plane = polar_plane(rules_.settings());
     return true;
   }
-  const auto& base = rules_.settings().base;
-  const CodeNumber number = registers.modal[Group::plane];
-  const std::size_t first = number == code(17) ? 0 : number == code(18) ? 2 : 1;
-  const auto a = base[first];
-  const auto b = base[(first + 1) % 3];
-  if (!a || !b) return refuse("0317H", block_.span);
-  plane = {*a, *b, base[(first + 2) % 3].value_or(Axis::Z)};
+  const std::optional<Plane> selected = plane_of(registers.modal[Group::plane], rules_.settings());
+  if (!selected) return refuse("0317H", block_.span);
+  plane = *selected;
   return true;
 }
 

@@ -3,6 +3,7 @@
 
 #include "dialect/melsec/alarms.hpp"
 #include "dialect/melsec/block_run.hpp"
+#include "dialect/melsec/radius.hpp"
 #include "execute/moves.hpp"
 
 namespace kerf::melsec {
@@ -10,12 +11,29 @@ namespace {
 
 constexpr CodeSet kVectorCodes = set_of(code(40)) | set_of(code(41)) | set_of(code(42));
 
-/// Compensation is in force: a side is selected, and its number is not 0.
+}  // namespace
+
 bool is_compensated(const Registers& registers) {
   return registers.modal[Group::radius_compensation] != code(40) && registers.radius_number > 0;
 }
 
-}  // namespace
+RadiusCompensation compensation_in_force(const Registers& registers) {
+  RadiusCompensation compensation;
+  if (!is_compensated(registers)) return compensation;
+  const bool left = registers.modal[Group::radius_compensation] == code(41);
+  compensation.side = left ? Side::left : Side::right;
+  compensation.amount = registers.radius_amount;
+  compensation.start = registers.radius_start;
+  return compensation;
+}
+
+std::optional<Plane> plane_of(CodeNumber selected, const ControllerSettings& settings) {
+  const std::size_t first = selected == code(17) ? 0 : selected == code(18) ? 2 : 1;
+  const auto a = settings.base[first];
+  const auto b = settings.base[(first + 1) % 3];
+  if (!a || !b) return std::nullopt;
+  return Plane{*a, *b, settings.base[(first + 2) % 3].value_or(Axis::Z)};
+}
 
 bool BlockRun::radius_compensation() {
   was_compensated_ = is_compensated(registers);
@@ -46,12 +64,11 @@ bool BlockRun::compensate(Move& move) {
   move.axis_words = true;
   if (!vector_direction(plane, move.compensation.direction)) return false;
   if (!is_compensated(registers)) return true;
+  const std::array<double, 2> direction = move.compensation.direction;
+  move.compensation = compensation_in_force(registers);
+  move.compensation.direction = direction;
   move.compensation.rule = vector_rule(move);
   move.compensation.suspended = words_.has(kMachineMove);
-  const bool left = registers.modal[Group::radius_compensation] == code(41);
-  move.compensation.side = left ? Side::left : Side::right;
-  move.compensation.amount = registers.radius_amount;
-  move.compensation.start = registers.radius_start;
   return true;
 }
 
