@@ -1,5 +1,5 @@
 // The short way for blocks of coordinates must give what the whole way gives: random programs are executed as
-// they are and with an H word, which changes nothing but the way, in every block of coordinates.
+// they are and with an L word, which changes nothing but the way, in every block of coordinates.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -68,7 +68,7 @@ Programs random_programs(unsigned seed) {
       programs.marked += block;
     } else if (const std::string block = coordinates(random); !block.empty()) {
       programs.plain += block + "\n";
-      programs.marked += block + "H0\n";
+      programs.marked += block + "L1\n";
     }
   }
   programs.plain += "M02\n%\n";

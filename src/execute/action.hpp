@@ -13,7 +13,9 @@
 
 namespace kerf {
 
-/// Where an action came from. A value of 0 in `sequence_number` is a legal N0; `has_sequence_number` tells.
+/// Where an action came from. The stopping points of single block operation lie where `block` changes: what
+/// the toolpath puts in between (moves around corners, arcs put into corners, turns of a normal line axis)
+/// has the block that it is executed with (MELSEC 6.4, 6.6). A value of 0 in `sequence_number` is a legal N0.
 struct Origin {
   SourceSpan span;                    ///< the block
   std::uint32_t block = 0;            ///< executed blocks with content since the start, counted from 1

@@ -54,6 +54,8 @@ class BlockRun {
   bool modal();
   bool compensation_numbers();
   bool length_offset();
+  bool length_number();
+  bool calls() const { return words_.program_code() == ProgramCode::call; }
   std::optional<Axis> offset_axis() const;
   bool compensation_number(char address, std::int32_t& number);
   bool rotation();

@@ -87,12 +87,11 @@ bool BlockRun::modal() {
 /// D and H, which must name a compensation even where they have no effect; beside M98 H is a sequence number.
 bool BlockRun::compensation_numbers() {
   std::int32_t ignored = 0;
-  const bool call = words_.program_code() == ProgramCode::call;
-  return compensation_number('D', ignored) && (call || compensation_number('H', ignored));
+  return compensation_number('D', ignored) && (calls() || compensation_number('H', ignored));
 }
 
 bool BlockRun::length_offset() {
-  if (!words_.has(Group::length_compensation)) return true;
+  if (!words_.has(Group::length_compensation)) return length_number();
   const CodeNumber number = words_[Group::length_compensation];
   Placement& placement = registers.placement;
   registers.modal.set(Group::length_compensation, number);
@@ -109,6 +108,21 @@ bool BlockRun::length_offset() {
   if (!axis) return true;
   const double amount = tables_.length[static_cast<std::size_t>(compensation)];
   placement.length[*axis] = number == code(43) ? amount : -amount;
+  return true;
+}
+
+/// An H without a code of its own stays for the codes behind (6.4). While an axis is compensated it has the
+/// amount of that number from now on, and none with H0.
+bool BlockRun::length_number() {
+  if (calls() || words_.find('H') == nullptr) return true;
+  if (!compensation_number('H', registers.length_number)) return false;
+  Placement& placement = registers.placement;
+  const CodeNumber in_force = registers.modal[Group::length_compensation];
+  if (in_force == code(49) || placement.polar.on) return true;
+  const double amount = tables_.length[static_cast<std::size_t>(registers.length_number)];
+  for (double& length : placement.length.values) {
+    if (length != 0.0) length = in_force == code(43) ? amount : -amount;
+  }
   return true;
 }
 
