@@ -14,6 +14,7 @@
 
 #include "dialect/setup.hpp"
 #include "execute/interpreter.hpp"
+#include "execute/polar_plane.hpp"
 #include "motion/run.hpp"
 #include "toolpath/toolpath.hpp"
 
@@ -82,6 +83,23 @@ std::vector<Controller> melsec_controllers() {
   made.push_back(controller({"melsec.system.common_all_points=3",
                              "melsec.system.common_all_start_device=D6000", "melsec.system.base_axis_k=none",
                              "melsec.keep_arguments=true", "axes.X.limits=[-50,200]", "offsets.G54.X=10"}));
+  made.push_back(
+      controller({"melsec.system.initial_absolute_mode=G90", "melsec.work.interference_check=avoid",
+                  "melsec.system.polar_linear_axis=X", "melsec.system.polar_rotary_axis=C", "axes.X.start=20",
+                  "tools.2.radius=-0.5", "tools.3.radius=10"}));
+  made.push_back(
+      controller({"melsec.system.initial_absolute_mode=G90", "melsec.work.tool_radius_compensation_type=B",
+                  "melsec.work.interference_check=invalid", "melsec.work.radius_or_diameter=diameter",
+                  "melsec.system.polar_linear_axis=Y", "melsec.system.polar_rotary_axis=C", "axes.Y.start=-8",
+                  "melsec.system.corner_override=50", "melsec.system.corner_override_max_angle=120",
+                  "melsec.system.corner_override_length=2", "tools.2.radius=0.01", "tools.3.radius=100"}));
+  made.push_back(
+      controller({"melsec.system.initial_absolute_mode=G90", "melsec.work.interference_check=avoid",
+                  "melsec.system.normal_line_axis=C", "melsec.system.normal_line_insert_radius=1",
+                  "tools.2.radius=0.5", "tools.3.radius=10"}));
+  made.push_back(controller({"melsec.system.normal_line_axis=C", "melsec.system.normal_line_type=II",
+                             "melsec.system.normal_line_radius=1", "melsec.system.normal_line_min_angle=3",
+                             "melsec.axis.C.rotation_axis_type=3", "tools.2.radius=0.5"}));
   return made;
 }
 
@@ -153,7 +171,8 @@ class Promises {
     require(!has_position_ || move.start == position_, "a move starts where the one before it ended");
     position_ = move.end;
     has_position_ = true;
-    if (kerf::is_arc(move.mode)) check_arc(move);
+    if (!kerf::is_arc(move.mode)) return;
+    check_arc(move.polar.form == kerf::PolarForm::axes ? kerf::in_polar_plane(move) : move);
   }
 
   std::string_view text_;

@@ -139,6 +139,20 @@ TEST(PolarPass, AMoveOfTheHeightAxisAloneKeepsTheAngle) {
   EXPECT_EQ(moves[1].end[Axis::Z], -5.0);
 }
 
+TEST(PolarPass, MovesChainWithoutRounding) {
+  PolarProgram program(20.3, 100.7, 33.3);
+  for (int i = 1; i <= 200; ++i) {
+    const double angle = 0.1 * i * i;
+    program.to(0.37 * i * std::cos(angle), 0.31 * i * std::sin(angle));
+    if (i % 3 == 0) program.arc(program.here().x + 1.7, program.here().y - 0.3, 11.0 * i);
+  }
+  const auto moves = moves_of(passed(program.actions()));
+  ASSERT_GE(moves.size(), 266U);
+  EXPECT_EQ(moves.front().start[Axis::X], 121.0);
+  EXPECT_EQ(moves.front().start[Axis::C], 33.3);
+  for (std::size_t i = 1; i < moves.size(); ++i) ASSERT_EQ(moves[i].start, moves[i - 1].end) << i;
+}
+
 TEST(PolarPass, OtherActionsPassInOrder) {
   PolarProgram program(20.0);
   program.to(20.0, 20.0).action(Dwell{1.0}).to(20.0, 0.0).action(Auxiliary{8});

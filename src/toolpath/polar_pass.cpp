@@ -20,6 +20,12 @@ bool has_length(const PlanarSegment& segment) {
   return distance(segment.start, segment.end) > 0.0 || (segment.is_arc && segment.sweep_deg != 0.0);
 }
 
+/// Where the axis already stands, not what rounding makes of it.
+double chained(double stands, double begins) {
+  constexpr double kRounding = 1e-9;  // mm, degrees
+  return std::abs(begins - stands) <= kRounding ? stands : begins;
+}
+
 AxisVector between(const AxisVector& from, const AxisVector& to, double part) {
   if (part <= 0.0) return from;
   if (part >= 1.0) return to;
@@ -69,8 +75,8 @@ void PolarPass::add_part(const Origin& origin, const Move& flat, double from, do
   move.polar.form = PolarForm::axes;
   move.start = between(flat.start, flat.end, from);
   move.end = between(flat.start, flat.end, to);
-  move.start[polar.linear] = polar.center + side * length(contour.start);
-  move.start[polar.rotary] = polar.zero + angle + turn;
+  move.start[polar.linear] = chained(position_[polar.linear], polar.center + side * length(contour.start));
+  move.start[polar.rotary] = chained(position_[polar.rotary], polar.zero + angle + turn);
   move.end[polar.linear] = polar.center + side * length(contour.end);
   move.end[polar.rotary] = move.start[polar.rotary] + turn_around_origin_deg(contour);
   if (is_arc(move.mode)) move.arc.sweep = contour.sweep_deg;
