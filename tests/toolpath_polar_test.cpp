@@ -153,6 +153,32 @@ TEST(PolarPass, MovesChainWithoutRounding) {
   for (std::size_t i = 1; i < moves.size(); ++i) ASSERT_EQ(moves[i].start, moves[i - 1].end) << i;
 }
 
+TEST(PolarPass, TheMovesBehindChainWithoutRounding) {
+  for (const bool endless : {false, true}) {
+    PolarProgram program(20.3, 100.7, 33.3);
+    program.to(7.1, 13.3).to(-3.7, 9.1);
+    const Vec2 at = program.here();
+    // The dialect's own figures, a rounding error beside those of the pass.
+    Move up;
+    up.start[Axis::X] = 100.7 + length(at) * (1.0 + 1e-15);
+    up.start[Axis::C] = 33.3 + degrees(std::atan2(at.y, at.x)) + 1e-14;
+    up.end = up.start;
+    up.end[Axis::Z] = 10.0;
+    Move turn = up;
+    turn.start[Axis::Z] = 10.0;
+    turn.end[Axis::C] = 50.0;
+    Move out = turn;
+    out.start[Axis::C] = 50.0;
+    out.end[Axis::X] = 130.0;
+    program.action(up).action(turn).action(out);
+    const auto moves = moves_of(passed(program.actions(), endless));
+    ASSERT_EQ(moves.size(), 5U);
+    for (std::size_t i = 1; i < moves.size(); ++i) EXPECT_EQ(moves[i].start, moves[i - 1].end) << i;
+    EXPECT_EQ(moves[4].end[Axis::C], 50.0);
+    EXPECT_EQ(moves[4].end[Axis::X], 130.0);
+  }
+}
+
 TEST(PolarPass, OtherActionsPassInOrder) {
   PolarProgram program(20.0);
   program.to(20.0, 20.0).action(Dwell{1.0}).to(20.0, 0.0).action(Auxiliary{8});

@@ -37,6 +37,7 @@ AxisVector between(const AxisVector& from, const AxisVector& to, double part) {
 void PolarPass::reset() {
   on_ = false;
   turned_ = 0.0;
+  elsewhere_ = {};
   out_.clear();
 }
 
@@ -55,6 +56,7 @@ void PolarPass::push(const Origin& origin, const Move& move) {
     position_[move.polar.rotary] = flat.polar.zero;
   }
   on_ = true;
+  linear_ = move.polar.linear;
   const double part = part_before_origin(polar_contour(flat));
   if (part > 0.0) add_part(origin, flat, 0.0, part);
   add_part(origin, flat, part, 1.0);
@@ -99,21 +101,24 @@ void PolarPass::turn_at_center(const Origin& origin, const Move& like, double by
   add(origin, turn);
 }
 
+/// The first moves behind the mode chain with what it left: exactly, and over the turns that the program does
+/// not know of.
 void PolarPass::leave(const Origin& origin, Move move) {
   const Axis rotary = *policy_.rotary;
   if (on_) {
     const double ahead = position_[rotary] - turned_ - move.start[rotary];
-    const double turns = 360.0 * std::round(ahead / 360.0);
-    if (policy_.endless) turned_ += turns;
+    if (policy_.endless) turned_ += 360.0 * std::round(ahead / 360.0);
+    on_ = false;
+    elsewhere_ = {linear_, rotary};
   }
-  const bool stays = move.end[rotary] == move.start[rotary];
   move.start[rotary] += turned_;
   move.end[rotary] += turned_;
-  if (on_ && !policy_.endless) {
-    move.start[rotary] = position_[rotary];
-    if (stays) move.end[rotary] = position_[rotary];
+  for (const Axis axis : elsewhere_) {
+    const bool stays = move.end[axis] == move.start[axis];
+    if (!stays || move.start[axis] == position_[axis]) elsewhere_.erase(axis);
+    move.start[axis] = position_[axis];
+    if (stays) move.end[axis] = position_[axis];
   }
-  on_ = false;
   add(origin, move);
 }
 

@@ -22,7 +22,7 @@ class PolarPass {
     if (!out_.empty()) return &out_.pop();
     const Action* action = upstream.next();
     const Move* move = action == nullptr || !policy_.rotary ? nullptr : std::get_if<Move>(&action->what);
-    if (move == nullptr || (move->polar.form == PolarForm::none && !on_ && turned_ == 0.0)) return action;
+    if (move == nullptr || (move->polar.form == PolarForm::none && is_idle())) return action;
     push(action->origin, *move);
     return &out_.pop();
   }
@@ -31,6 +31,7 @@ class PolarPass {
   void reset();
 
  private:
+  bool is_idle() const { return !on_ && turned_ == 0.0 && elsewhere_.empty(); }
   void push(const Origin& origin, const Move& move);
   void leave(const Origin& origin, Move move);
   void add_part(const Origin& origin, const Move& flat, double from, double to);
@@ -38,9 +39,12 @@ class PolarPass {
   void add(const Origin& origin, const Move& move);
 
   PolarPolicy policy_;
-  bool on_ = false;      ///< the last move was one of the plane
-  double turned_ = 0.0;  ///< whole turns that the axis is ahead of the program, degrees
-  AxisVector position_;  ///< of the axes, behind the last move of the plane
+  bool on_ = false;        ///< the last move was one of the plane
+  double turned_ = 0.0;    ///< whole turns that the axis is ahead of the program, degrees
+  Axis linear_ = Axis::X;  ///< of the last plane
+  AxisVector position_;    ///< of the axes, behind the last move of the plane
+  AxisSet elsewhere_;      ///< behind the mode: axes that have not moved since, and do not stand where the
+                           ///< program has them
   FixedQueue<Action, 4> out_;
 };
 

@@ -137,7 +137,7 @@ void BlockRun::take_over() {
 
 /// The blocks behind are judged as if the move of this one had been right.
 void BlockRun::take_over_operation() {
-  if (words_.has(kDwell) || words_.has(kMacroCall)) return;
+  if (words_.has(kDwell) || words_.has(kMacroCall) || words_.has(Group::polar)) return;
   const bool moves = !words_.has(kLocalSystem) && words_[Group::rotation] != code(68);
   if (moves && !words_.axes().empty()) registers.placement.absolute_wanted = false;
   if (operation() || !moves || words_.has(kMachineMove)) return;
