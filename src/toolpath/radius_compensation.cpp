@@ -101,6 +101,8 @@ void RadiusCompensationPass::push_move(const Action& action, const Move& move) {
 void RadiusCompensationPass::push_corner_arc(const Action& action) {
   if (state_ == State::off)
     return out_.add({action.origin, Alarm{policy_.corner_arc_outside, action.origin.span, {}, {}}});
+  // The starting block leads to the corner beside the next one: there is nothing to turn about.
+  if (state_ == State::starting && action.origin.block == held_.origin.block) return;
   corner_arc_block_ = action.origin.block;
   const auto& arc = std::get<CornerArc>(action.what);
   const Vec2 direction = unit(Vec2{arc.direction[0], arc.direction[1]});

@@ -28,7 +28,8 @@ namespace kerf {
 ///   point at right angles to its end, and the tool goes straight to the point at right angles to the start
 ///   of the next.
 /// - A corner arc whose direction is given is made at once, behind the actions in front of it; one without
-///   waits for the next move. At an inner corner it is left out, and the corner is joined as without it.
+///   waits for the next move. At an inner corner it is left out, and the corner is joined as without it; so
+///   it is in the block that starts the compensation.
 /// - Moves put in at corners carry origin, mode, feed and commanded end of the move before them; those after
 ///   a failed look-ahead or a corner arc carry the ones of the move after them.
 /// - End and the end of the actions finish the last move at the point at right angles to its end and take
