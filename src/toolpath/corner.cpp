@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "geometry/intersection.hpp"
+#include "geometry/segment_distance.hpp"
 
 namespace kerf {
 namespace {
@@ -10,7 +10,7 @@ namespace {
 constexpr double kSamePoint = 1e-6;      // mm; joints shorter than this are left out
 constexpr double kLeastRadius = 1e-4;    // mm; the least increment of the machines
 constexpr double kAngleRounding = 1e-9;  // degrees
-constexpr double kReversal = 1e-6;       // degrees from an exact reversal
+constexpr double kReversal = 1e-3;       // degrees from an exact reversal; inner corners would be far away
 
 void add_point(Corner& corner, Vec2 point) {
   if (corner.points.empty() || distance(corner.points.back(), point) >= kSamePoint)
@@ -68,8 +68,9 @@ Corner inner_corner(const OffsetSegment& first, const OffsetSegment& next, const
   const Vec2 first_end = first.offset.end;
   const Vec2 next_start = next.offset.start;
   // An almost tangent joint: the parallels may miss each other or meet far away, and their ends all but
-  // touch.
-  const bool almost_tangent = distance(first_end, next_start) <= rules.joint_gap_mm;
+  // touch. Beside a tool smaller than the gap they do so at sharp corners, too.
+  const bool goes_on = dot(end_tangent(first.programmed), start_tangent(next.programmed)) > 0.0;
+  const bool almost_tangent = goes_on && distance(first_end, next_start) <= rules.joint_gap_mm;
   const Meeting meeting = meeting_of_curves(endless(first, rules.left_mm), endless(next, rules.left_mm));
   const std::optional<Vec2> nearest = nearest_point(meeting, first.programmed.end);
   if (almost_tangent && (!nearest || distance(*nearest, first_end) > rules.joint_gap_mm))
@@ -84,15 +85,6 @@ Corner inner_corner(const OffsetSegment& first, const OffsetSegment& next, const
 }
 
 }  // namespace
-
-Meeting meeting_of_curves(const PlanarSegment& first, const PlanarSegment& next) {
-  const auto line = [](const PlanarSegment& s) { return line_through(s.start, s.end); };
-  const auto circle = [](const PlanarSegment& s) { return PlanarCircle{s.center, s.radius}; };
-  if (first.is_arc && next.is_arc) return meeting_of(circle(first), circle(next));
-  if (first.is_arc) return meeting_of(circle(first), line(next));
-  if (next.is_arc) return meeting_of(line(first), circle(next));
-  return meeting_of(line(first), line(next));
-}
 
 bool is_arc_too_small(const PlanarSegment& programmed, double left_mm) {
   return programmed.is_arc && offset_radius(programmed, left_mm) < -kLeastRadius;

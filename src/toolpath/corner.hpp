@@ -11,7 +11,6 @@
 
 #include "base/fixed_vector.hpp"
 #include "execute/toolpath_policy.hpp"
-#include "geometry/intersection.hpp"
 #include "geometry/planar_segment.hpp"
 
 namespace kerf {
@@ -37,9 +36,6 @@ OffsetSegment offset_of(const PlanarSegment& programmed, double left_mm);
 /// The same, but an arc smaller than the tool is run on the far side of its centre.
 OffsetSegment offset_turned_over(const PlanarSegment& programmed, double left_mm);
 
-/// Where the curves meet of which two segments are stretches: endless lines and whole circles.
-Meeting meeting_of_curves(const PlanarSegment& first, const PlanarSegment& next);
-
 /// True when the tool is too large for the inside of an arc, by more than 0.0001 mm.
 bool is_arc_too_small(const PlanarSegment& programmed, double left_mm);
 
@@ -49,7 +45,7 @@ bool is_arc_too_small(const PlanarSegment& programmed, double left_mm);
 double end_at(PlanarSegment& segment, Vec2 point);
 double begin_at(PlanarSegment& segment, Vec2 point);
 
-/// Corner angle on the workpiece side in degrees, 0 <= a < 360; an exact reversal is 0.
+/// Corner angle on the workpiece side in degrees, 0 <= a < 360; an exact reversal, to 0.001 degrees, is 0.
 double workpiece_angle_deg(Vec2 tangent_in, Vec2 tangent_out, double left_mm);
 
 bool is_inner(double workpiece_angle_deg);

@@ -1,12 +1,14 @@
 #include "toolpath/interference.hpp"
 
-#include <algorithm>
 #include <cmath>
+
+#include "geometry/segment_distance.hpp"
 
 namespace kerf {
 namespace {
 
 constexpr double kBack = 1e-6;  // mm; a way back that rounding may make
+constexpr double kCut = 5e-4;   // mm; no deeper into a block than this
 
 /// How far a segment goes on from one point to another, less than 0 when it runs back. mm
 double advance_along(const OffsetSegment& segment, Vec2 from, Vec2 to) {
@@ -26,20 +28,9 @@ bool runs_back(const OffsetSegment& segment, Vec2 from, Vec2 to) {
   return advance_along(segment, from, to) < -kBack;
 }
 
-/// The point of the straight way that is nearest to another point.
-Vec2 foot_between(Vec2 from, Vec2 to, Vec2 point) {
-  const Vec2 way = to - from;
-  const double square = dot(way, way);
-  return from + (square > 0.0 ? std::clamp(dot(point - from, way) / square, 0.0, 1.0) : 0.0) * way;
-}
-
-double distance_to_way(Vec2 from, Vec2 to, Vec2 point) {
-  return distance(point, foot_between(from, to, point));
-}
-
-bool is_beside(const PlanarSegment& arc, Vec2 point) {
-  const double turn = ahead_deg(arc.start - arc.center, point - arc.center, arc.sweep_deg < 0.0);
-  return (turn < 0.0 ? turn + 360.0 : turn) <= std::abs(arc.sweep_deg);
+/// By how much an arc, as the program rounded it, ends off its circle. mm
+double out_of_round(const PlanarSegment& segment) {
+  return segment.is_arc ? std::abs(distance(segment.end, segment.center) - segment.radius) : 0.0;
 }
 
 /// Keeps the first `count` points.
@@ -56,29 +47,26 @@ void keep_last(Corner& corner, std::size_t count) {
 
 }  // namespace
 
-bool keeps_clear(const OffsetSegment& segment, Vec2 from, Vec2 to) {
-  const PlanarSegment& block = segment.programmed;
-  const double tool = std::abs(segment.left_mm) - kBack;
-  if (distance_to_way(from, to, block.start) < tool || distance_to_way(from, to, block.end) < tool)
-    return false;
-  const auto too_near = [&](Vec2 point) {
-    if (!block.is_arc) return distance_to_way(block.start, block.end, point) < tool;
-    return is_beside(block, point) && std::abs(distance(point, block.center) - block.radius) < tool;
-  };
-  if (too_near(from) || too_near(to)) return false;
-  const bool passes_center = distance(from, to) > kBack;
-  return !block.is_arc || !passes_center || !too_near(foot_between(from, to, block.center));
+bool keeps_clear(const OffsetSegment& block, const PlanarSegment& way) {
+  const double allowed = kCut + out_of_round(block.programmed) + out_of_round(way);
+  return distance_between(way, block.programmed) >= std::abs(block.left_mm) - allowed;
 }
 
-Interference remove_interference(Corner& begin, const OffsetSegment& segment, Corner& end) {
+Interference remove_interference(Corner& begin, const OffsetSegment& segment, Corner& end,
+                                 const Neighbours& neighbours) {
   std::size_t first = begin.points.size();
   std::size_t last = end.points.size();
+  const auto is_clear = [&](const PlanarSegment& way) {
+    return keeps_clear(segment, way) &&
+           (neighbours.before == nullptr || keeps_clear(*neighbours.before, way)) &&
+           (neighbours.behind == nullptr || keeps_clear(*neighbours.behind, way));
+  };
   const auto good = [&] {
     if (first == 0 || last == 0) return false;
     const Vec2 from = begin.points[first - 1];
     const Vec2 to = end.points[end.points.size() - last];
     const bool whole = first == begin.points.size() && last == end.points.size();
-    return !runs_back(segment, from, to) && (whole || keeps_clear(segment, from, to));
+    return !runs_back(segment, from, to) && (whole || is_clear(straight(from, to)));
   };
   if (good() || (begin.fixed && end.fixed)) return Interference::none;
   while (first > 0 && last > 0 && !good()) {
@@ -98,6 +86,8 @@ std::optional<Vec2> avoiding_point(const OffsetSegment& before, Vec2 from, const
       before.programmed.is_arc ? before.offset : offset_segment(before.programmed, before.left_mm);
   const PlanarSegment next =
       behind.programmed.is_arc ? behind.offset : offset_segment(behind.programmed, behind.left_mm);
+  // Avoiding something else may have left nothing of the path beside an arc.
+  if (length_of(first) <= kBack && !first.is_arc) return std::nullopt;
   const auto point = nearest_point(meeting_of_curves(first, next), before.programmed.end);
   if (!point) return std::nullopt;
   const bool on_first = !runs_back(before, from, *point) && !runs_back(before, *point, before.offset.end);

@@ -15,14 +15,22 @@ enum class Interference : std::uint8_t {
   wholly,  ///< so would be all points of a corner: the corners are left as they were
 };
 
-/// Whether a straight way keeps the tool out of a block, to 0.000001 mm.
-bool keeps_clear(const OffsetSegment& block, Vec2 from, Vec2 to);
+/// Whether the tool keeps out of a block on a way: to 0.0005 mm, and to what the arcs are out of round.
+bool keeps_clear(const OffsetSegment& block, const PlanarSegment& way);
+
+/// The blocks on both sides of a segment, as far as the tool has to keep out of them.
+struct Neighbours {
+  const OffsetSegment* before = nullptr;
+  const OffsetSegment* behind = nullptr;
+};
 
 /// Looks at the corner where a segment begins and at the one where it ends. From the outermost points
 /// inwards, the first pair whose way runs against the segment and all points inside of it are removed; where
 /// one corner has more points than the other, its inner ones first. More are removed while the straight way
-/// that is left would cut into the segment itself. Points that the program commands stay.
-Interference remove_interference(Corner& begin, const OffsetSegment& segment, Corner& end);
+/// that is left would cut into the segment itself or into its neighbours. Points that the program commands
+/// stay.
+Interference remove_interference(Corner& begin, const OffsetSegment& segment, Corner& end,
+                                 const Neighbours& neighbours);
 
 /// Where the path beside the segment before meets that beside the segment behind; nothing when they do not
 /// meet, or only before their starts or behind their ends. `from` is where the tool enters the first.

@@ -43,7 +43,7 @@ class PathQueue {
   const AxisVector& position() const { return position_; }
   void set_position(const AxisVector& position) { position_ = position; }
 
-  /// Adds an action before those that wait and behind those released. Up to 8 fit in before the queue is
+  /// Adds an action before those that wait and behind those released. Up to 12 fit in before the queue is
   /// drained.
   void add(const Action& action);
 
@@ -72,7 +72,7 @@ class PathQueue {
   void release_first(const Plane& plane, Vec2 to);
 
  private:
-  static constexpr std::size_t kAdded = 8;
+  static constexpr std::size_t kAdded = 12;
 
   AxisVector position_;
   FixedQueue<Action, kAdded> path_;

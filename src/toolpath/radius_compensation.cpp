@@ -151,7 +151,7 @@ void RadiusCompensationPass::start_from_rest(const Action& action, const Move& m
   if (at_rest_.rule != VectorRule::computed) entry = next.programmed.start + vector_of(at_rest_, left_mm_);
   if (distance(point(), entry) > kNoLength)
     out_.add_joint(action.origin, move, with_point(out_.position(), plane_, entry));
-  hold(action, next, entry);
+  hold(action, next, entry, at_rest_.rule == VectorRule::computed);
 }
 
 // A vector commanded without motion: the move before it ends there.
@@ -208,6 +208,7 @@ void RadiusCompensationPass::advance(const Action& action, const Move& move) {
   const Vec2 direction = start_tangent(programmed);
   if (has_corner_arc_ && corner_turn(direction)) settle();
   Vec2 entry = next.offset.start;
+  bool computed = left_mm == left_mm_;
   if (state_ != State::settled) {
     Corner corner = other_side && held_move().compensation.rule == VectorRule::computed
                         ? side_change_corner(held_segment_, next)
@@ -217,14 +218,16 @@ void RadiusCompensationPass::advance(const Action& action, const Move& move) {
     if (interferes(corner, action, next)) return;
     leave_held_for(corner, action, direction);
     entry = corner.points.back();
+    computed = computed && !corner.fixed;
   } else {
     release_waiting(direction);
     if (unjoined_) entry = point();
+    computed = computed && !unjoined_;
     if (distance(point(), entry) > kNoLength)
       out_.add_joint(action.origin, move, with_point(out_.position(), plane_, entry));
   }
   left_mm_ = left_mm;
-  hold(action, beside(programmed, left_mm), entry);
+  hold(action, beside(programmed, left_mm), entry, computed);
 }
 
 void RadiusCompensationPass::end(const Action& action, const Move& move) {
@@ -240,7 +243,9 @@ void RadiusCompensationPass::end(const Action& action, const Move& move) {
     Corner corner = corner_to_end(move);
     const OffsetSegment next = beside(segment_of(move, plane_), left_mm_);
     if (direction != Vec2{} && interferes(corner, action, next)) return;
+    const bool clear = !sees_together(action.origin) || held_keeps_clear(corner);
     leave_before();
+    if (!clear) return static_cast<void>(refuse(held_.origin));
     leave_held(corner, action);
   }
   release_waiting(direction);

@@ -87,6 +87,8 @@ class RadiusCompensationPass {
     Corner corner;            ///< between it and the one held back
     Vec2 direction;           ///< in which that one begins
     std::size_t waiting = 0;  ///< actions that come between the two
+    bool is_contour = false;  ///< not the starting move
+    bool computed = false;    ///< it begins where its corner was computed for its own amount
   };
 
   /// A corner arc that really turns.
@@ -112,16 +114,24 @@ class RadiusCompensationPass {
   void finish();
   void turn_off(bool displaced);
 
-  void hold(const Action& action, const OffsetSegment& segment, Vec2 entry);
+  void hold(const Action& action, const OffsetSegment& segment, Vec2 entry, bool computed);
   void leave_held(const Corner& corner, const Action& next);
   void leave_held_for(const Corner& corner, const Action& next, Vec2 next_direction);
   void leave_before();
   void add_corner(const Action& action, const OffsetSegment& segment, const Corner& corner,
                   const Action& next);
   void note_inner_corner(const Move& move, const OffsetSegment& next);
+  bool sees_together(const Origin& next) const;
   bool interferes(Corner& corner, const Action& action, const OffsetSegment& next);
+  bool goes_around(Corner& corner, const OffsetSegment& next, bool keeps_clear_of_next);
+  bool has_contour_before() const;
+  bool before_keeps_clear(const OffsetSegment* next) const;
+  bool held_keeps_clear(const Corner& corner) const;
+  bool refuse_before();
+  bool refuse(const Origin& refused);
   void leave_held_at_right_angles();
   void settle();
+  PlanarSegment way_of(const OffsetSegment& segment, Vec2 end) const;
   void add_segment(const Action& action, const OffsetSegment& segment, Vec2 end);
   void release_waiting(Vec2 next_direction) { release_waiting(next_direction, out_.waiting()); }
   void release_waiting(Vec2 next_direction, std::size_t count);
@@ -154,10 +164,12 @@ class RadiusCompensationPass {
   bool unjoined_ = false;       ///< settled: the next move begins where the tool is, not beside its own start
   RadiusCompensation at_rest_;  ///< what was commanded without motion
   std::optional<Before> before_;
+  std::optional<OffsetSegment> earlier_;  ///< of the contour, in front of before_
   Plane plane_;
   double left_mm_ = 0.0;
   Action held_;                         ///< the move held back; settled: the last one given out
   OffsetSegment held_segment_;          ///< of held_; its offset begins where the tool enters it
+  bool held_is_computed_ = false;       ///< as Before::computed
   Vec2 facing_;                         ///< settled: the tool stands at right angles to this direction
   bool has_corner_arc_ = false;         ///< one without a direction waits
   std::uint32_t corner_arc_block_ = 0;  ///< block of the last corner arc behind held_; 0: none

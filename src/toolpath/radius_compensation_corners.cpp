@@ -85,6 +85,7 @@ bool RadiusCompensationPass::look_ahead_fails(const Origin& next) const {
 
 void RadiusCompensationPass::raise(const AlarmKind* kind, const Origin& origin,
                                    const FixedText<200>& message) {
+  if (sees_together(origin) && !before_keeps_clear(nullptr)) return static_cast<void>(refuse_before());
   if (policy_.stops_before_fault && state_ == State::running) {
     leave_before();
     state_ = State::settled;

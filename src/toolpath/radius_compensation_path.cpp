@@ -14,8 +14,10 @@ constexpr double kWholeTurn = 360.0;  // degrees
 }  // namespace
 
 // The segment begins where the corner before it ends.
-void RadiusCompensationPass::hold(const Action& action, const OffsetSegment& segment, Vec2 entry) {
+void RadiusCompensationPass::hold(const Action& action, const OffsetSegment& segment, Vec2 entry,
+                                  bool computed) {
   held_ = action;
+  held_is_computed_ = computed;
   held_segment_ = segment;
   begin_at(held_segment_.offset, entry);
   has_corner_arc_ = unjoined_ = false;
@@ -37,11 +39,19 @@ void RadiusCompensationPass::leave_held_for(const Corner& corner, const Action& 
     release_waiting(next_direction);
     return;
   }
-  before_ = Before{held_, held_segment_, corner, next_direction, out_.waiting()};
+  before_ = Before{held_,
+                   held_segment_,
+                   corner,
+                   next_direction,
+                   out_.waiting(),
+                   state_ == State::running,
+                   held_is_computed_};
 }
 
 void RadiusCompensationPass::leave_before() {
+  earlier_.reset();
   if (!before_) return;
+  if (before_->is_contour) earlier_ = before_->segment;
   add_corner(before_->action, before_->segment, before_->corner, held_);
   release_waiting(before_->direction, before_->waiting);
   before_.reset();
@@ -57,30 +67,88 @@ void RadiusCompensationPass::add_corner(const Action& action, const OffsetSegmen
   }
 }
 
+bool RadiusCompensationPass::sees_together(const Origin& next) const {
+  return before_ && policy_.interference != InterferenceCheck::none &&
+         next.block <= before_->action.origin.block + policy_.interference_blocks;
+}
+
 // Looks at the move held back between the corner before it and `corner`, which the next move makes. True: an
 // alarm was raised.
 bool RadiusCompensationPass::interferes(Corner& corner, const Action& action, const OffsetSegment& next) {
-  if (!before_ || policy_.interference == InterferenceCheck::none) return false;
-  const Origin& first = before_->action.origin;
-  if (action.origin.block > first.block + policy_.interference_blocks) return false;
-  const Interference found = remove_interference(before_->corner, held_segment_, corner);
-  if (found == Interference::none) return false;
-  if (found == Interference::partly) {
+  if (!sees_together(action.origin)) return false;
+  const RadiusCompensation& on = std::get<Move>(action.what).compensation;
+  const bool is_contour = on.side != Side::none && !on.suspended && next.left_mm == held_segment_.left_mm;
+  Neighbours neighbours;
+  if (!before_->corner.fixed && !corner.fixed) {
+    neighbours.before = has_contour_before() ? &before_->segment : nullptr;
+    neighbours.behind = is_contour ? &next : nullptr;
+  }
+  const Interference found = remove_interference(before_->corner, held_segment_, corner, neighbours);
+  if (found == Interference::partly)
     held_segment_.offset = straight(before_->corner.points.back(), corner.points[0]);
-    return false;
+  if (found == Interference::wholly && !goes_around(corner, next, is_contour)) return refuse_before();
+  return before_keeps_clear(is_contour ? &next : nullptr) ? false : refuse_before();
+}
+
+// Where the move held back has lost all its points, the paths of its neighbours may meet.
+bool RadiusCompensationPass::goes_around(Corner& corner, const OffsetSegment& next,
+                                         bool keeps_clear_of_next) {
+  if (policy_.interference != InterferenceCheck::avoid) return false;
+  const auto around = avoiding_point(before_->segment, before_->segment.offset.start, next);
+  if (!around) return false;
+  if (keeps_clear_of_next && !keeps_clear(next, way_of(before_->segment, *around))) return false;
+  before_->corner = corner = corner_at(*around);
+  held_segment_.offset = straight(*around, *around);
+  return true;
+}
+
+// The starting move is not part of the contour, and behind a change of the amount the tool keeps another
+// distance.
+bool RadiusCompensationPass::has_contour_before() const {
+  return before_->is_contour && before_->segment.left_mm == held_segment_.left_mm;
+}
+
+// The path up to the move held back, against the blocks seen together with each part of it. `next` is the
+// contour's block behind the move held back, when there is one. Where the program itself says what to cut, by
+// vectors or another amount, that is left as it is.
+bool RadiusCompensationPass::before_keeps_clear(const OffsetSegment* next) const {
+  const OffsetSegment& own = before_->segment;
+  const Corner& corner = before_->corner;
+  if (corner.fixed) return true;
+  const bool has_before = has_contour_before();
+  if (before_->is_contour && before_->computed) {
+    const PlanarSegment way = way_of(own, corner.points[0]);
+    if (!keeps_clear(own, way)) return false;
+    // Where the contour begins the rules of the start say where the tool stands.
+    if (earlier_ && has_before && !keeps_clear(held_segment_, way)) return false;
+    if (earlier_ && earlier_->left_mm == own.left_mm && !keeps_clear(*earlier_, way)) return false;
   }
-  if (policy_.interference == InterferenceCheck::avoid) {
-    const auto around = avoiding_point(before_->segment, before_->segment.offset.start, next);
-    if (around) {
-      before_->corner = corner = corner_at(*around);
-      held_segment_.offset = straight(*around, *around);
-      return false;
-    }
+  for (std::size_t i = 1; i < corner.points.size(); ++i) {
+    const PlanarSegment way = straight(corner.points[i - 1], corner.points[i]);
+    if (has_before && !keeps_clear(own, way)) return false;
+    if (!held_is_computed_) continue;
+    if (!keeps_clear(held_segment_, way) || (next != nullptr && !keeps_clear(*next, way))) return false;
   }
-  const Action refused = before_->action;
+  return true;
+}
+
+// The same for the last move of the contour, which ends at `corner`, where the rules of the end say.
+bool RadiusCompensationPass::held_keeps_clear(const Corner& corner) const {
+  if (corner.fixed || !held_is_computed_) return true;
+  const PlanarSegment way = way_of(held_segment_, corner.points[0]);
+  return keeps_clear(held_segment_, way);
+}
+
+bool RadiusCompensationPass::refuse_before() {
+  const Origin refused = before_->action.origin;
   before_.reset();
+  return refuse(refused);
+}
+
+// An alarm takes the place of a move that would cut into others. True.
+bool RadiusCompensationPass::refuse(const Origin& refused) {
   state_ = State::settled;
-  raise(policy_.interference_alarm, refused.origin,
+  raise(policy_.interference_alarm, refused,
         FixedText<200>::format("The tool would cut into the path of the blocks behind at {}{:.3f} {}{:.3f}",
                                letter(plane_.first), held_segment_.programmed.start.x, letter(plane_.second),
                                held_segment_.programmed.start.y));
@@ -135,20 +203,27 @@ void RadiusCompensationPass::drop_corner_arc() {
   has_corner_arc_ = false;
 }
 
+// What is left of the path beside a segment when it ends at `end`: a straight way when an arc has no length.
+PlanarSegment RadiusCompensationPass::way_of(const OffsetSegment& segment, Vec2 end) const {
+  PlanarSegment way = segment.offset;
+  double left_deg = end_at(way, end);
+  if (!way.is_arc) return way;
+  if (policy_.drops_whole_turns && left_deg >= kWholeTurn) {
+    left_deg -= kWholeTurn;
+    way.sweep_deg = std::copysign(left_deg, way.sweep_deg);
+  }
+  way.radius = distance(way.center, way.start);
+  return left_deg <= 0.0 || length_of(way) <= kNoLength ? straight(way.start, end) : way;
+}
+
 void RadiusCompensationPass::add_segment(const Action& action, const OffsetSegment& segment, Vec2 end) {
   Move move = std::get<Move>(action.what);
   move.end = with_point(move.end, plane_, end);
-  PlanarSegment path = segment.offset;
-  if (is_arc(move.mode) && !path.is_arc) move.mode = MoveMode::linear;  // interference left nothing of it
-  if (path.is_arc) {
-    double left_deg = end_at(path, end);
-    if (policy_.drops_whole_turns && left_deg >= kWholeTurn) {
-      left_deg -= kWholeTurn;
-      path.sweep_deg = std::copysign(left_deg, path.sweep_deg);
-    }
-    move.arc = {{path.center.x, path.center.y}, distance(path.center, path.start), path.sweep_deg};
-    if (left_deg <= 0.0 || length_of(path) <= kNoLength) move.mode = MoveMode::linear;
-  }
+  const PlanarSegment way = way_of(segment, end);
+  if (way.is_arc)
+    move.arc = {{way.center.x, way.center.y}, way.radius, way.sweep_deg};
+  else if (is_arc(move.mode))
+    move.mode = MoveMode::linear;
   if (!is_nothing(plane_, move, out_.position())) out_.add_move(action.origin, move);
 }
 
