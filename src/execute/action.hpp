@@ -111,6 +111,10 @@ struct PolarPlane {
   double zero = 0.0;    ///< machine coordinate of the rotary axis at the angle 0, degrees
 };
 
+/// Move::inner_corner_deg in front of an arc that was put into an inner corner, which counts as one of any
+/// angle.
+inline constexpr double kRoundedInnerCorner = 1e-3;
+
 struct Move {
   MoveMode mode = MoveMode::rapid;
   PathMode path_mode = PathMode::cutting;
@@ -126,10 +130,11 @@ struct Move {
   RadiusCompensation compensation;
   RotaryFeed rotary_feed;
   PolarPlane polar;
-  AxisVector start;      ///< machine coordinates; where the tool reference point really is
-  AxisVector end;        ///< machine coordinates
-  AxisVector commanded;  ///< end in the coordinate system the block was written in, before tool
-                         ///< compensations: the workpiece coordinate system, or the machine's for G53
+  AxisVector start;            ///< machine coordinates; where the tool reference point really is
+  AxisVector end;              ///< machine coordinates
+  AxisVector commanded;        ///< end in the coordinate system the block was written in, before tool
+                               ///< compensations: the workpiece coordinate system, or the machine's for G53
+  bool rounds_corner = false;  ///< an arc that was put into a corner
   double inner_corner_deg = 0.0;  ///< of a compensated move: angle of the inner corner at its end, on the
                                   ///< tool's side; 0: there is none between cutting moves
   double normal_zero = 0.0;       ///< with normal_line: machine coordinate of its axis at 0 degrees, degrees

@@ -42,8 +42,9 @@ double offset_radius(const PlanarSegment& arc, double left_mm) {
 
 PlanarSegment offset_segment(const PlanarSegment& segment, double left_mm) {
   PlanarSegment moved = segment;
-  moved.start += left_mm * left_of(start_tangent(segment));
-  moved.end += left_mm * left_of(end_tangent(segment));
+  const Vec2 aside = left_mm * left_of(start_tangent(segment));
+  moved.start += aside;
+  moved.end += segment.is_arc ? left_mm * left_of(end_tangent(segment)) : aside;
   if (segment.is_arc) moved.radius = std::max(0.0, offset_radius(segment, left_mm));
   return moved;
 }

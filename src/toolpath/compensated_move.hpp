@@ -28,10 +28,10 @@ inline bool has_motion(const Plane& plane, const Move& move) {
   return is_arc(move.mode) || plane_distance(plane, move.start, move.end) > kNoLength;
 }
 
-/// From `start` the move would go nowhere, in no axis.
-inline bool is_nothing(const Plane& plane, const Move& move, const AxisVector& start) {
-  if (is_arc(move.mode) || plane_distance(plane, start, move.end) > kNoLength) return false;
-  return start == with_point(move.end, plane, in_plane(start, plane));
+/// A straight move between two positions would go nowhere, in no axis.
+inline bool goes_nowhere(const Plane& plane, const AxisVector& start, const AxisVector& end) {
+  if (plane_distance(plane, start, end) > kNoLength) return false;
+  return start == with_point(end, plane, in_plane(start, plane));
 }
 
 /// From start to end, length 1; {0, 0} of a move without motion in the plane.

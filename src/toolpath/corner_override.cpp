@@ -37,9 +37,18 @@ std::pair<Move, Move> cut(const Move& move, double part) {
   return {first, rest};
 }
 
+/// An arc put into a corner, with the tool on its inside.
+bool is_rounded_inner_corner(const Move& move) {
+  const Side side = move.compensation.side;
+  const bool left = (side == Side::left) == (move.compensation.amount > 0.0);
+  return move.rounds_corner && is_arc(move.mode) && side != Side::none &&
+         left == (move.mode == MoveMode::counterclockwise);
+}
+
 }  // namespace
 
 bool CornerOverridePass::is_slowed(const Move& move) const {
+  if (move.path_mode == PathMode::corner_override && is_rounded_inner_corner(move)) return true;
   return move.path_mode == PathMode::corner_override && move.inner_corner_deg > 0.0 &&
          move.inner_corner_deg <= policy_.widest_deg + kRoundingDeg;
 }
@@ -54,7 +63,7 @@ void CornerOverridePass::push(const Origin& origin, const Move& move) {
   const double slower = policy_.percent / 100.0;
   const double way = way_of(move);
   Move slow = move;
-  if (way > policy_.length_mm) {
+  if (way > policy_.length_mm && !is_rounded_inner_corner(move)) {
     const auto [first, rest] = cut(move, 1.0 - policy_.length_mm / way);
     add(origin, first);
     slow = rest;

@@ -9,7 +9,8 @@ namespace kerf {
 
 /// A cutting move of PathMode::corner_override that ends at an inner corner (Move::inner_corner_deg) of at
 /// most the policy's angle is cut in two, the second part as long as the policy says and slower; a shorter
-/// move is slow as a whole. Allocates nothing; everything else is handed through without a copy.
+/// move is slow as a whole, and so is an arc put into an inner corner, in front of which the angle does not
+/// count. Allocates nothing; everything else is handed through without a copy.
 class CornerOverridePass {
  public:
   explicit CornerOverridePass(const CornerOverridePolicy& policy) : policy_(policy), on_(policy.is_on()) {}

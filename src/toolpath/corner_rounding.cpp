@@ -71,6 +71,7 @@ void CornerRounding::round(Action& next) {
   arc.end = position_at(second, cut / way_of(second));
   arc.mode = turn > 0.0 ? MoveMode::counterclockwise : MoveMode::clockwise;
   const Vec2 center = in_plane(arc.start, arc.plane) + (turn > 0.0 ? radius_ : -radius_) * left_of(in);
+  arc.rounds_corner = true;
   arc.arc = {{center.x, center.y}, radius_, turn};
   first.end = arc.start;
   first.exact_stop = false;

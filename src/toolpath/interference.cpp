@@ -33,6 +33,16 @@ double out_of_round(const PlanarSegment& segment) {
   return segment.is_arc ? std::abs(distance(segment.end, segment.center) - segment.radius) : 0.0;
 }
 
+/// The other straight segment lies on one side of the line through this one, at least so far away: a
+/// sufficient sign of a distance, which takes no root.
+bool lies_beyond(const PlanarSegment& line, const PlanarSegment& other, double distance) {
+  const Vec2 along = line.end - line.start;
+  const double from = cross(along, other.start - line.start);
+  const double to = cross(along, other.end - line.start);
+  const double least = distance * distance * dot(along, along);
+  return least > 0.0 && (from < 0.0) == (to < 0.0) && from * from >= least && to * to >= least;
+}
+
 /// Keeps the first `count` points.
 void keep_first(Corner& corner, std::size_t count) {
   corner.points.resize(count);
@@ -49,7 +59,12 @@ void keep_last(Corner& corner, std::size_t count) {
 
 bool keeps_clear(const OffsetSegment& block, const PlanarSegment& way) {
   const double allowed = kCut + out_of_round(block.programmed) + out_of_round(way);
-  return distance_between(way, block.programmed) >= std::abs(block.left_mm) - allowed;
+  const double least = std::abs(block.left_mm) - allowed;
+  const PlanarSegment& cut = block.programmed;
+  if (least <= 0.0) return true;
+  if (!cut.is_arc && !way.is_arc && (lies_beyond(cut, way, least) || lies_beyond(way, cut, least)))
+    return true;
+  return distance_between(way, cut) >= least;
 }
 
 Interference remove_interference(Corner& begin, const OffsetSegment& segment, Corner& end,

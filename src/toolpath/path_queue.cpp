@@ -8,29 +8,32 @@ void PathQueue::clear() {
   released_ = 0;
 }
 
-void PathQueue::add(const Action& action) {
-  if (released_ == 0) {
-    path_.push(action);
-  } else {
-    waiting_.push(action);
-    ++released_;
-  }
+Action& PathQueue::next_place() {
+  if (released_ == 0) return path_.push();
+  ++released_;
+  return waiting_.push();
 }
 
-void PathQueue::add_move(const Origin& origin, Move move) {
+void PathQueue::add(const Action& action) {
+  next_place() = action;
+}
+
+Move& PathQueue::add_move(const Origin& origin, const Move& like, const AxisVector& end) {
+  Action& action = next_place();
+  action.origin = origin;
+  action.what = like;
+  Move& move = std::get<Move>(action.what);
   move.start = position_;
-  position_ = move.end;
-  add({origin, move});
+  move.end = position_ = end;
+  return move;
 }
 
 void PathQueue::add_joint(const Origin& origin, const Move& like, const AxisVector& end) {
-  Move joint = like;
+  Move& joint = add_move(origin, like, end);
   if (is_arc(like.mode)) joint.mode = MoveMode::linear;
   joint.rotary_feed = {};
   joint.inner_corner_deg = 0.0;
   joint.arc = {};
-  joint.end = end;
-  add_move(origin, joint);
 }
 
 void PathQueue::add_rejoined(const Origin& origin, const Move& move) {

@@ -47,8 +47,10 @@ class PathQueue {
   /// drained.
   void add(const Action& action);
 
-  /// The same for a move; its start becomes the position.
-  void add_move(const Origin& origin, Move move);
+  /// The same for a move like another one to an end; its start becomes the position. Valid until the next one
+  /// is added.
+  Move& add_move(const Origin& origin, const Move& like, const AxisVector& end);
+  void add_move(const Origin& origin, const Move& move) { add_move(origin, move, move.end); }
 
   /// Adds a straight move with the mode (linear for an arc), feed and commanded end of another.
   void add_joint(const Origin& origin, const Move& like, const AxisVector& end);
@@ -72,6 +74,8 @@ class PathQueue {
   void release_first(const Plane& plane, Vec2 to);
 
  private:
+  Action& next_place();
+
   static constexpr std::size_t kAdded = 12;
 
   AxisVector position_;

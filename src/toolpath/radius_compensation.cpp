@@ -102,7 +102,7 @@ void RadiusCompensationPass::push_corner_arc(const Action& action) {
   if (state_ == State::off)
     return out_.add({action.origin, Alarm{policy_.corner_arc_outside, action.origin.span, {}, {}}});
   // The starting block leads to the corner beside the next one: there is nothing to turn about.
-  if (state_ == State::starting && action.origin.block == held_.origin.block) return;
+  if (state_ == State::starting && action.origin.block == held().action.origin.block) return;
   corner_arc_block_ = action.origin.block;
   const auto& arc = std::get<CornerArc>(action.what);
   const Vec2 direction = unit(Vec2{arc.direction[0], arc.direction[1]});
@@ -133,11 +133,11 @@ void RadiusCompensationPass::start(const Action& action, const Move& move) {
   left_mm_ = left_offset(move.compensation);
   displaced_ = after_alarm_ = has_corner_arc_ = unjoined_ = false;
   corner_arc_block_ = 0;
-  held_ = action;
-  held_segment_.programmed = straight(point(), in_plane(move.end, plane_));
-  held_segment_.offset = offset_segment(held_segment_.programmed, left_mm_);
-  held_segment_.offset.start = point();
-  held_segment_.left_mm = left_mm_;
+  held().action = action;
+  held().segment.programmed = straight(point(), in_plane(move.end, plane_));
+  held().segment.offset = offset_segment(held().segment.programmed, left_mm_);
+  held().segment.offset.start = point();
+  held().segment.left_mm = left_mm_;
   state_ = State::starting;
 }
 
@@ -156,13 +156,14 @@ void RadiusCompensationPass::start_from_rest(const Action& action, const Move& m
 
 // A vector commanded without motion: the move before it ends there.
 void RadiusCompensationPass::change_at_rest(const Move& move) {
-  const Vec2 to = held_segment_.programmed.end + vector_of(move.compensation, left_offset(move.compensation));
+  const Vec2 to =
+      held().segment.programmed.end + vector_of(move.compensation, left_offset(move.compensation));
   leave_before();
   if (state_ == State::settled) {
     if (distance(point(), to) > kNoLength)
-      out_.add_joint(held_.origin, held_move(), with_point(out_.position(), plane_, to));
+      out_.add_joint(held().action.origin, held_move(), with_point(out_.position(), plane_, to));
   } else {
-    leave_held(corner_at(to), held_);
+    leave_held(corner_at(to), held().action);
   }
   release_waiting({});
   unjoined_ = true;
@@ -173,11 +174,11 @@ void RadiusCompensationPass::suspend(const Action& action, const Move& move) {
   if (look_ahead_fails(action.origin)) settle();
   if (state_ == State::off) return push_while_off(action);
   if (state_ != State::settled) {
-    Corner corner = corner_at(held_segment_.offset.end);
+    Corner corner = corner_at(held().segment.offset.end);
     if (has_motion(plane_, move) && !is_arc(move.mode)) {
-      const OffsetSegment next = beside(segment_of(move, plane_), held_segment_.left_mm);
+      const OffsetSegment next = beside(segment_of(move, plane_), held().segment.left_mm);
       corner = corner_to(next);
-      if (corner.fault != CornerFault::none) corner = corner_at(held_segment_.offset.end);
+      if (corner.fault != CornerFault::none) corner = corner_at(held().segment.offset.end);
       if (interferes(corner, action, next)) return;
     }
     leave_before();
@@ -186,8 +187,8 @@ void RadiusCompensationPass::suspend(const Action& action, const Move& move) {
   release_waiting({});
   drop_corner_arc();
   out_.add_move(action.origin, move);
-  held_ = action;
-  held_segment_.programmed = straight(in_plane(move.start, plane_), in_plane(move.end, plane_));
+  held().action = action;
+  held().segment.programmed = straight(in_plane(move.start, plane_), in_plane(move.end, plane_));
   facing_ = plane_direction(plane_, move);
   unjoined_ = true;
 }
@@ -211,7 +212,7 @@ void RadiusCompensationPass::advance(const Action& action, const Move& move) {
   bool computed = left_mm == left_mm_;
   if (state_ != State::settled) {
     Corner corner = other_side && held_move().compensation.rule == VectorRule::computed
-                        ? side_change_corner(held_segment_, next)
+                        ? side_change_corner(held().segment, next)
                         : corner_to(next);
     if (corner.fault != CornerFault::none) return raise_corner_fault(corner, action.origin);
     if (!other_side) note_inner_corner(move, next);
@@ -227,7 +228,7 @@ void RadiusCompensationPass::advance(const Action& action, const Move& move) {
       out_.add_joint(action.origin, move, with_point(out_.position(), plane_, entry));
   }
   left_mm_ = left_mm;
-  hold(action, beside(programmed, left_mm), entry, computed);
+  hold(action, next.left_mm == left_mm ? next : beside(programmed, left_mm), entry, computed);
 }
 
 void RadiusCompensationPass::end(const Action& action, const Move& move) {
@@ -245,7 +246,7 @@ void RadiusCompensationPass::end(const Action& action, const Move& move) {
     if (direction != Vec2{} && interferes(corner, action, next)) return;
     const bool clear = !sees_together(action.origin) || held_keeps_clear(corner);
     leave_before();
-    if (!clear) return static_cast<void>(refuse(held_.origin));
+    if (!clear) return static_cast<void>(refuse(held().action.origin));
     leave_held(corner, action);
   }
   release_waiting(direction);

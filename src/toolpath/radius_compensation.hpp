@@ -3,6 +3,7 @@
 // with look-ahead over one block, and its corner arcs (G39). Source: DGSHAPE NC code reference 2-2, G39 to
 // G42; corner.hpp has the geometry.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -82,13 +83,17 @@ class RadiusCompensationPass {
 
   /// The move before the one held back, while the interference check waits for the corner behind that one.
   struct Before {
-    Action action;
-    OffsetSegment segment;
     Corner corner;            ///< between it and the one held back
     Vec2 direction;           ///< in which that one begins
     std::size_t waiting = 0;  ///< actions that come between the two
     bool is_contour = false;  ///< not the starting move
-    bool computed = false;    ///< it begins where its corner was computed for its own amount
+  };
+
+  /// A move that is held back, or was a short while ago.
+  struct HeldMove {
+    Action action;
+    OffsetSegment segment;  ///< its offset begins where the tool enters it
+    bool computed = false;  ///< it begins where its corner was computed for its own amount
   };
 
   /// A corner arc that really turns.
@@ -153,7 +158,11 @@ class RadiusCompensationPass {
   }
   Vec2 vector_of(const RadiusCompensation& compensation, double left_mm) const;
   CornerRules rules() const { return {left_mm_, policy_.small_angle_deg, policy_.joint_gap_mm}; }
-  const Move& held_move() const { return std::get<Move>(held_.what); }
+  HeldMove& held() { return moves_[held_at_]; }
+  const HeldMove& held() const { return moves_[held_at_]; }
+  const HeldMove& before_move() const { return moves_[(held_at_ + 2) % 3]; }
+  const HeldMove& earlier() const { return moves_[(held_at_ + 1) % 3]; }
+  const Move& held_move() const { return std::get<Move>(held().action.what); }
   Vec2 point() const { return in_plane(out_.position(), plane_); }
 
   RadiusCompensationPolicy policy_;
@@ -164,15 +173,14 @@ class RadiusCompensationPass {
   bool unjoined_ = false;       ///< settled: the next move begins where the tool is, not beside its own start
   RadiusCompensation at_rest_;  ///< what was commanded without motion
   std::optional<Before> before_;
-  std::optional<OffsetSegment> earlier_;  ///< of the contour, in front of before_
+  bool has_earlier_ = false;  ///< with before_: there is a move of the contour in front of it
   Plane plane_;
   double left_mm_ = 0.0;
-  Action held_;                         ///< the move held back; settled: the last one given out
-  OffsetSegment held_segment_;          ///< of held_; its offset begins where the tool enters it
-  bool held_is_computed_ = false;       ///< as Before::computed
+  std::array<HeldMove, 3> moves_;       ///< around: the one held back, the one before it, the one before that
+  std::size_t held_at_ = 0;             ///< of the one held back; settled: of the last one given out
   Vec2 facing_;                         ///< settled: the tool stands at right angles to this direction
   bool has_corner_arc_ = false;         ///< one without a direction waits
-  std::uint32_t corner_arc_block_ = 0;  ///< block of the last corner arc behind held_; 0: none
+  std::uint32_t corner_arc_block_ = 0;  ///< block of the last corner arc behind held(); 0: none
   PathQueue out_;
 };
 

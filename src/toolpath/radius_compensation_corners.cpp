@@ -10,37 +10,41 @@ namespace kerf {
 Corner RadiusCompensationPass::corner_to(const OffsetSegment& next) const {
   const RadiusCompensation& own = held_move().compensation;
   if (own.rule != VectorRule::computed) {
-    Corner corner = corner_at(held_segment_.programmed.end + vector_of(own, left_mm_));
+    Corner corner = corner_at(held().segment.programmed.end + vector_of(own, left_mm_));
     corner.fixed = true;
     return corner;
   }
   if (state_ == State::starting)
-    return start_corner(end_tangent(held_segment_.programmed), next, policy_.start_type, rules(),
+    return start_corner(end_tangent(held().segment.programmed), next, policy_.start_type, rules(),
                         policy_.type_b_beside);
-  return crossover_corner(held_segment_, next, rules());
+  return crossover_corner(held().segment, next, rules());
 }
 
 // The move held back learns that an inner corner between cutting moves ends it.
 void RadiusCompensationPass::note_inner_corner(const Move& move, const OffsetSegment& next) {
-  Move& held = std::get<Move>(held_.what);
-  const bool cutting = move.mode != MoveMode::rapid && held.mode != MoveMode::rapid;
-  if (!cutting || state_ != State::running || held.compensation.rule != VectorRule::computed) return;
+  Move& first = std::get<Move>(held().action.what);
+  if (first.path_mode != PathMode::corner_override) return;
+  const bool cutting = move.mode != MoveMode::rapid && first.mode != MoveMode::rapid;
+  if (!cutting || state_ != State::running || first.compensation.rule != VectorRule::computed) return;
   const double angle =
-      workpiece_angle_deg(end_tangent(held_segment_.programmed), start_tangent(next.programmed), left_mm_);
-  if (is_inner(angle)) held.inner_corner_deg = 360.0 - angle;
+      workpiece_angle_deg(end_tangent(held().segment.programmed), start_tangent(next.programmed), left_mm_);
+  if (is_inner(angle)) first.inner_corner_deg = 360.0 - angle;
+  // An arc put into the corner: its angle is not asked for (5.6 G62).
+  if (move.rounds_corner && offset_radius(next.programmed, left_mm_) < next.programmed.radius)
+    first.inner_corner_deg = kRoundedInnerCorner;
 }
 
 Corner RadiusCompensationPass::corner_to_end(const Move& move) const {
   if (held_move().compensation.rule != VectorRule::computed) return corner_to({});
   const Vec2 imagined{move.compensation.direction[0], move.compensation.direction[1]};
-  if (imagined != Vec2{} && state_ != State::starting) return imagined_corner(held_segment_, imagined);
+  if (imagined != Vec2{} && state_ != State::starting) return imagined_corner(held().segment, imagined);
   const Vec2 direction = plane_direction(plane_, move);
-  if (direction == Vec2{}) return corner_at(held_segment_.offset.end);
+  if (direction == Vec2{}) return corner_at(held().segment.offset.end);
   // Started and ended without a compensated move between: the tool comes to the point beside the start of the
   // last.
   if (state_ == State::starting)
-    return corner_at(held_segment_.programmed.end + left_mm_ * left_of(direction));
-  return end_corner(held_segment_, direction, policy_.start_type, rules(), policy_.type_b_beside);
+    return corner_at(held().segment.programmed.end + left_mm_ * left_of(direction));
+  return end_corner(held().segment, direction, policy_.start_type, rules(), policy_.type_b_beside);
 }
 
 // From the programmed end of a move to the tool.
@@ -52,7 +56,7 @@ Vec2 RadiusCompensationPass::vector_of(const RadiusCompensation& compensation, d
     case VectorRule::along:
       return std::abs(left_mm) * direction;
     case VectorRule::kept:
-      return held_segment_.offset.start - held_segment_.programmed.start;
+      return held().segment.offset.start - held().segment.programmed.start;
     case VectorRule::computed:
       break;
   }
@@ -62,22 +66,22 @@ Vec2 RadiusCompensationPass::vector_of(const RadiusCompensation& compensation, d
 // The turn of a corner arc to a direction; none when the corner is an inner one or there is nothing to turn.
 std::optional<RadiusCompensationPass::CornerTurn> RadiusCompensationPass::corner_turn(Vec2 direction) const {
   if (direction == Vec2{}) return std::nullopt;
-  const Vec2 facing = state_ == State::settled ? facing_ : end_tangent(held_segment_.programmed);
+  const Vec2 facing = state_ == State::settled ? facing_ : end_tangent(held().segment.programmed);
   const double angle = workpiece_angle_deg(facing, direction, left_mm_);
   const double turn_angle = 180.0 - angle;
   if ((is_inner(angle) && !policy_.corner_arc_inside) ||
       std::abs(left_mm_ * radians(turn_angle)) <= kNoLength)
     return std::nullopt;
   return CornerTurn{left_mm_ < 0.0 ? turn_angle : -turn_angle,
-                    held_segment_.programmed.end + left_mm_ * left_of(direction)};
+                    held().segment.programmed.end + left_mm_ * left_of(direction)};
 }
 
 // Blocks strictly between the held move and the next action; a block may give several actions, so the
 // action's own block does not count.
 bool RadiusCompensationPass::look_ahead_fails(const Origin& next) const {
-  if (state_ == State::settled || next.block <= held_.origin.block) return false;
-  std::uint32_t between = next.block - held_.origin.block - 1;
-  if (corner_arc_block_ < next.block && corner_arc_block_ > held_.origin.block) --between;
+  if (state_ == State::settled || next.block <= held().action.origin.block) return false;
+  std::uint32_t between = next.block - held().action.origin.block - 1;
+  if (corner_arc_block_ < next.block && corner_arc_block_ > held().action.origin.block) --between;
   return between >= policy_.blocks_without_motion;
 }
 
@@ -111,7 +115,7 @@ void RadiusCompensationPass::raise_corner_fault(const Corner& corner, const Orig
                  FixedText<200>::format("Nothing is left of the arc behind the corner {}", place.view()));
   // The move before the corner cannot be made at all.
   state_ = State::settled;
-  raise(policy_.no_crossover, held_.origin,
+  raise(policy_.no_crossover, held().action.origin,
         FixedText<200>::format("Nothing is left of the arc before the corner {}", place.view()));
 }
 

@@ -16,18 +16,18 @@ constexpr double kWholeTurn = 360.0;  // degrees
 // The segment begins where the corner before it ends.
 void RadiusCompensationPass::hold(const Action& action, const OffsetSegment& segment, Vec2 entry,
                                   bool computed) {
-  held_ = action;
-  held_is_computed_ = computed;
-  held_segment_ = segment;
-  begin_at(held_segment_.offset, entry);
+  held().action = action;
+  held().computed = computed;
+  held().segment = segment;
+  begin_at(held().segment.offset, entry);
   has_corner_arc_ = unjoined_ = false;
   corner_arc_block_ = 0;
   state_ = State::running;
 }
 
 void RadiusCompensationPass::leave_held(const Corner& corner, const Action& next) {
-  add_corner(held_, held_segment_, corner, next);
-  facing_ = end_tangent(held_segment_.programmed);
+  add_corner(held().action, held().segment, corner, next);
+  facing_ = end_tangent(held().segment.programmed);
   state_ = State::settled;
 }
 
@@ -39,20 +39,14 @@ void RadiusCompensationPass::leave_held_for(const Corner& corner, const Action& 
     release_waiting(next_direction);
     return;
   }
-  before_ = Before{held_,
-                   held_segment_,
-                   corner,
-                   next_direction,
-                   out_.waiting(),
-                   state_ == State::running,
-                   held_is_computed_};
+  before_ = Before{corner, next_direction, out_.waiting(), state_ == State::running};
+  held_at_ = (held_at_ + 1) % moves_.size();
 }
 
 void RadiusCompensationPass::leave_before() {
-  earlier_.reset();
+  has_earlier_ = before_ && before_->is_contour;
   if (!before_) return;
-  if (before_->is_contour) earlier_ = before_->segment;
-  add_corner(before_->action, before_->segment, before_->corner, held_);
+  add_corner(before_move().action, before_move().segment, before_->corner, held().action);
   release_waiting(before_->direction, before_->waiting);
   before_.reset();
 }
@@ -69,7 +63,7 @@ void RadiusCompensationPass::add_corner(const Action& action, const OffsetSegmen
 
 bool RadiusCompensationPass::sees_together(const Origin& next) const {
   return before_ && policy_.interference != InterferenceCheck::none &&
-         next.block <= before_->action.origin.block + policy_.interference_blocks;
+         next.block <= before_move().action.origin.block + policy_.interference_blocks;
 }
 
 // Looks at the move held back between the corner before it and `corner`, which the next move makes. True: an
@@ -77,15 +71,15 @@ bool RadiusCompensationPass::sees_together(const Origin& next) const {
 bool RadiusCompensationPass::interferes(Corner& corner, const Action& action, const OffsetSegment& next) {
   if (!sees_together(action.origin)) return false;
   const RadiusCompensation& on = std::get<Move>(action.what).compensation;
-  const bool is_contour = on.side != Side::none && !on.suspended && next.left_mm == held_segment_.left_mm;
+  const bool is_contour = on.side != Side::none && !on.suspended && next.left_mm == held().segment.left_mm;
   Neighbours neighbours;
   if (!before_->corner.fixed && !corner.fixed) {
-    neighbours.before = has_contour_before() ? &before_->segment : nullptr;
+    neighbours.before = has_contour_before() ? &before_move().segment : nullptr;
     neighbours.behind = is_contour ? &next : nullptr;
   }
-  const Interference found = remove_interference(before_->corner, held_segment_, corner, neighbours);
+  const Interference found = remove_interference(before_->corner, held().segment, corner, neighbours);
   if (found == Interference::partly)
-    held_segment_.offset = straight(before_->corner.points.back(), corner.points[0]);
+    held().segment.offset = straight(before_->corner.points.back(), corner.points[0]);
   if (found == Interference::wholly && !goes_around(corner, next, is_contour)) return refuse_before();
   return before_keeps_clear(is_contour ? &next : nullptr) ? false : refuse_before();
 }
@@ -94,53 +88,54 @@ bool RadiusCompensationPass::interferes(Corner& corner, const Action& action, co
 bool RadiusCompensationPass::goes_around(Corner& corner, const OffsetSegment& next,
                                          bool keeps_clear_of_next) {
   if (policy_.interference != InterferenceCheck::avoid) return false;
-  const auto around = avoiding_point(before_->segment, before_->segment.offset.start, next);
+  const auto around = avoiding_point(before_move().segment, before_move().segment.offset.start, next);
   if (!around) return false;
-  if (keeps_clear_of_next && !keeps_clear(next, way_of(before_->segment, *around))) return false;
+  if (keeps_clear_of_next && !keeps_clear(next, way_of(before_move().segment, *around))) return false;
   before_->corner = corner = corner_at(*around);
-  held_segment_.offset = straight(*around, *around);
+  held().segment.offset = straight(*around, *around);
   return true;
 }
 
 // The starting move is not part of the contour, and behind a change of the amount the tool keeps another
 // distance.
 bool RadiusCompensationPass::has_contour_before() const {
-  return before_->is_contour && before_->segment.left_mm == held_segment_.left_mm;
+  return before_->is_contour && before_move().segment.left_mm == held().segment.left_mm;
 }
 
 // The path up to the move held back, against the blocks seen together with each part of it. `next` is the
 // contour's block behind the move held back, when there is one. Where the program itself says what to cut, by
 // vectors or another amount, that is left as it is.
 bool RadiusCompensationPass::before_keeps_clear(const OffsetSegment* next) const {
-  const OffsetSegment& own = before_->segment;
+  const OffsetSegment& own = before_move().segment;
   const Corner& corner = before_->corner;
   if (corner.fixed) return true;
   const bool has_before = has_contour_before();
-  if (before_->is_contour && before_->computed) {
+  if (before_->is_contour && before_move().computed) {
     const PlanarSegment way = way_of(own, corner.points[0]);
     if (!keeps_clear(own, way)) return false;
     // Where the contour begins the rules of the start say where the tool stands.
-    if (earlier_ && has_before && !keeps_clear(held_segment_, way)) return false;
-    if (earlier_ && earlier_->left_mm == own.left_mm && !keeps_clear(*earlier_, way)) return false;
+    if (has_earlier_ && has_before && !keeps_clear(held().segment, way)) return false;
+    if (has_earlier_ && earlier().segment.left_mm == own.left_mm && !keeps_clear(earlier().segment, way))
+      return false;
   }
   for (std::size_t i = 1; i < corner.points.size(); ++i) {
     const PlanarSegment way = straight(corner.points[i - 1], corner.points[i]);
     if (has_before && !keeps_clear(own, way)) return false;
-    if (!held_is_computed_) continue;
-    if (!keeps_clear(held_segment_, way) || (next != nullptr && !keeps_clear(*next, way))) return false;
+    if (!held().computed) continue;
+    if (!keeps_clear(held().segment, way) || (next != nullptr && !keeps_clear(*next, way))) return false;
   }
   return true;
 }
 
 // The same for the last move of the contour, which ends at `corner`, where the rules of the end say.
 bool RadiusCompensationPass::held_keeps_clear(const Corner& corner) const {
-  if (corner.fixed || !held_is_computed_) return true;
-  const PlanarSegment way = way_of(held_segment_, corner.points[0]);
-  return keeps_clear(held_segment_, way);
+  if (corner.fixed || !held().computed) return true;
+  const PlanarSegment way = way_of(held().segment, corner.points[0]);
+  return keeps_clear(held().segment, way);
 }
 
 bool RadiusCompensationPass::refuse_before() {
-  const Origin refused = before_->action.origin;
+  const Origin refused = before_move().action.origin;
   before_.reset();
   return refuse(refused);
 }
@@ -150,14 +145,14 @@ bool RadiusCompensationPass::refuse(const Origin& refused) {
   state_ = State::settled;
   raise(policy_.interference_alarm, refused,
         FixedText<200>::format("The tool would cut into the path of the blocks behind at {}{:.3f} {}{:.3f}",
-                               letter(plane_.first), held_segment_.programmed.start.x, letter(plane_.second),
-                               held_segment_.programmed.start.y));
+                               letter(plane_.first), held().segment.programmed.start.x, letter(plane_.second),
+                               held().segment.programmed.start.y));
   return true;
 }
 
 void RadiusCompensationPass::leave_held_at_right_angles() {
   const bool own = held_move().compensation.rule != VectorRule::computed;
-  leave_held(own ? corner_to({}) : corner_at(held_segment_.offset.end), held_);
+  leave_held(own ? corner_to({}) : corner_at(held().segment.offset.end), held().action);
 }
 
 // The look-ahead ends here: nothing is held back any longer.
@@ -165,7 +160,7 @@ void RadiusCompensationPass::settle() {
   if (state_ == State::settled || state_ == State::off) return;
   leave_before();
   if (state_ == State::starting && policy_.start_waits) {
-    add_segment(held_, held_segment_, held_segment_.programmed.end);
+    add_segment(held().action, held().segment, held().segment.programmed.end);
     release_waiting({});
     turn_off(false);
     return;
@@ -217,20 +212,21 @@ PlanarSegment RadiusCompensationPass::way_of(const OffsetSegment& segment, Vec2 
 }
 
 void RadiusCompensationPass::add_segment(const Action& action, const OffsetSegment& segment, Vec2 end) {
-  Move move = std::get<Move>(action.what);
-  move.end = with_point(move.end, plane_, end);
+  const Move& like = std::get<Move>(action.what);
+  const AxisVector to = with_point(like.end, plane_, end);
   const PlanarSegment way = way_of(segment, end);
+  if (!way.is_arc && goes_nowhere(plane_, out_.position(), to)) return;
+  Move& move = out_.add_move(action.origin, like, to);
   if (way.is_arc)
     move.arc = {{way.center.x, way.center.y}, way.radius, way.sweep_deg};
   else if (is_arc(move.mode))
     move.mode = MoveMode::linear;
-  if (!is_nothing(plane_, move, out_.position())) out_.add_move(action.origin, move);
 }
 
 // The tool stands at right angles to the end of the held move, or where the last corner arc left it.
 void RadiusCompensationPass::make_corner_arc(Action& action, const CornerTurn& turn) const {
   Move move = held_move();
-  const Vec2 corner = held_segment_.programmed.end;
+  const Vec2 corner = held().segment.programmed.end;
   move.mode = turn.sweep_deg < 0.0 ? MoveMode::clockwise : MoveMode::counterclockwise;
   move.rotary_feed = {};
   move.feed = std::get<CornerArc>(action.what).feed;
