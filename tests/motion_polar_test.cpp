@@ -210,6 +210,24 @@ TEST(MotionPolar, NearTheCentreTheRotaryAxisSetsThePace) {
   EXPECT_LE(taken, ideal * 1.3);
 }
 
+TEST(MotionPolar, AnArcThatEndsInTheCentreBringsTheAxisToItsEnd) {
+  // A circle of radius 10 about (10, 0), half around to the centre of rotation: C turns by 90 degrees,
+  // evenly, and away from there along the tangent, which is no turn.
+  const Machine machine = polar_machine();
+  PolarProgram program(20.0);
+  program.feed(1200.0).arc(10.0, 0.0, 180.0).arc(10.0, 0.0, 90.0);
+  const auto actions = passed(program.actions());
+  const Samples samples = play(machine, actions);
+  double last = 0.0;
+  for (const Cycle& cycle : samples.cycles) {
+    const double rate = machine[Axis::C].rapid / 60.0;
+    ASSERT_LE(std::abs(cycle.position[Axis::C] - last), rate * machine.cycle_s * (1.0 + 1e-6))
+        << cycle.time_s;
+    last = cycle.position[Axis::C];
+  }
+  EXPECT_NEAR(std::get<Move>(actions[0].what).end[Axis::C], 90.0, 1e-9);
+}
+
 TEST(MotionPolar, PiecesOfAMoveRunIntoEachOther) {
   // Radially the same: 40 mm past the centre, with accelerations. It never stands within the move.
   const Machine machine = polar_machine();

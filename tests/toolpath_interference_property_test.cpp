@@ -90,11 +90,12 @@ TEST(InterferenceProperty, WhatCannotBeAvoidedIsAnAlarm) {
 
 // Where one block has been avoided and nothing is left of the next arc, that arc's path meets no other.
 TEST(InterferenceProperty, NothingMeetsAPathThatIsGone) {
-  const OffsetSegment arc{curved({0, 1}, {1, 0}, {0, 0}, 1.0, -90.0), straight({3, 3}, {3, 3}), 2.0};
+  OffsetSegment arc = offset_of(curved({0, 1}, {1, 0}, {0, 0}, 1.0, -90.0), 2.0);
+  arc.offset = straight({3, 3}, {3, 3});
   const PlanarSegment line = straight({0, 0}, {6, 0});
   const PlanarSegment bow = curved({0, 0}, {10, 10}, {0, 10}, 10.0, 90.0);
-  EXPECT_FALSE(avoiding_point(arc, {3, 3}, {line, offset_segment(line, 2.0), 2.0}));
-  EXPECT_FALSE(avoiding_point(arc, {3, 3}, {bow, offset_segment(bow, 2.0), 2.0}));
+  EXPECT_FALSE(avoiding_point(arc, {3, 3}, offset_of(line, 2.0)));
+  EXPECT_FALSE(avoiding_point(arc, {3, 3}, offset_of(bow, 2.0)));
 }
 
 }  // namespace

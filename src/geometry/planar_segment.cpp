@@ -41,10 +41,14 @@ double offset_radius(const PlanarSegment& arc, double left_mm) {
 }
 
 PlanarSegment offset_segment(const PlanarSegment& segment, double left_mm) {
+  const Vec2 begins = start_tangent(segment);
+  return offset_segment(segment, left_mm, begins, segment.is_arc ? end_tangent(segment) : begins);
+}
+
+PlanarSegment offset_segment(const PlanarSegment& segment, double left_mm, Vec2 begins, Vec2 ends) {
   PlanarSegment moved = segment;
-  const Vec2 aside = left_mm * left_of(start_tangent(segment));
-  moved.start += aside;
-  moved.end += segment.is_arc ? left_mm * left_of(end_tangent(segment)) : aside;
+  moved.start += left_mm * left_of(begins);
+  moved.end += left_mm * left_of(ends);
   if (segment.is_arc) moved.radius = std::max(0.0, offset_radius(segment, left_mm));
   return moved;
 }

@@ -34,5 +34,7 @@ double offset_radius(const PlanarSegment& arc, double left_mm);
 /// The parallel at `left_mm` to the left of the direction of travel (to the right when negative). An arc
 /// needs offset_radius() >= 0 (up to rounding); at 0 it becomes a point with the same sweep.
 PlanarSegment offset_segment(const PlanarSegment& segment, double left_mm);
+/// The same for a segment whose directions of travel at its ends are known.
+PlanarSegment offset_segment(const PlanarSegment& segment, double left_mm, Vec2 begins, Vec2 ends);
 
 }  // namespace kerf

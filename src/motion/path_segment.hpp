@@ -61,6 +61,7 @@ struct PolarPath {
   double center = 0.0;      ///< machine coordinate of the linear axis over the centre of rotation
   double angle = 0.0;       ///< machine coordinate of the rotary axis at the start, degrees
   Vec2 direction;           ///< of the start, seen from the centre and from that side; length 1
+  Vec2 at_center;           ///< likewise where the segment begins or ends in the centre
   double nearest = 0.0;     ///< least distance from the centre, mm
   double linear_end = 0.0;  ///< where the axes stand at the end
   double rotary_end = 0.0;

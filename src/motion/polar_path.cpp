@@ -39,6 +39,8 @@ void set_polar_limits(PathSegment& segment, const Move& move, const AxisLimits& 
   path.center = move.polar.center;
   path.angle = move.start[move.polar.rotary];
   path.direction = direction_at(path.angle - move.polar.zero);
+  path.at_center = path.direction;
+  if (length(contour.end) < kThroughOrigin) path.at_center = -end_tangent(contour);
   path.nearest = polar_range(contour).least_radius;
   path.linear_end = move.end[move.polar.linear];
   path.rotary_end = move.end[move.polar.rotary];
@@ -113,7 +115,7 @@ void turn_into_axes(const PolarPath& polar, PathPoint& point) {
   const Vec2 acceleration = in_plane(point.acceleration, 0.0);
   const double radius = length(at);
   const bool in_center = radius < kThroughOrigin;
-  const Vec2 outwards = in_center ? polar.direction : at / radius;
+  const Vec2 outwards = in_center ? polar.at_center : at / radius;
   const double speed = dot(outwards, velocity);
   const double turning = in_center ? 0.0 : cross(outwards, velocity) / radius;  // rad/s
   const double turning2 = in_center ? 0.0 : (cross(outwards, acceleration) - 2.0 * speed * turning) / radius;

@@ -18,19 +18,20 @@ inline const char* side_name(double left_mm) {
   return left_mm < 0.0 ? "right" : "left";
 }
 
-/// mm
-inline double plane_distance(const Plane& plane, const AxisVector& a, const AxisVector& b) {
-  return distance(in_plane(a, plane), in_plane(b, plane));
+/// The positions lie apart in the plane.
+inline bool is_apart(const Plane& plane, const AxisVector& a, const AxisVector& b) {
+  const Vec2 way = in_plane(b, plane) - in_plane(a, plane);
+  return dot(way, way) > kNoLength * kNoLength;
 }
 
 /// The move goes somewhere in the plane.
 inline bool has_motion(const Plane& plane, const Move& move) {
-  return is_arc(move.mode) || plane_distance(plane, move.start, move.end) > kNoLength;
+  return is_arc(move.mode) || is_apart(plane, move.start, move.end);
 }
 
 /// A straight move between two positions would go nowhere, in no axis.
 inline bool goes_nowhere(const Plane& plane, const AxisVector& start, const AxisVector& end) {
-  if (plane_distance(plane, start, end) > kNoLength) return false;
+  if (is_apart(plane, start, end)) return false;
   return start == with_point(end, plane, in_plane(start, plane));
 }
 
@@ -45,12 +46,6 @@ inline PlanarSegment segment_of(const Move& move, const Plane& plane) {
   const Vec2 end = in_plane(move.end, plane);
   if (!is_arc(move.mode)) return straight(start, end);
   return curved(start, end, {move.arc.center[0], move.arc.center[1]}, move.arc.radius, move.arc.sweep);
-}
-
-inline Corner corner_at(Vec2 point) {
-  Corner corner;
-  corner.points.push_back(point);
-  return corner;
 }
 
 }  // namespace kerf

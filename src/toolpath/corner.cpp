@@ -7,7 +7,6 @@
 namespace kerf {
 namespace {
 
-constexpr double kSamePoint = 1e-6;      // mm; joints shorter than this are left out
 constexpr double kLeastRadius = 1e-4;    // mm; the least increment of the machines
 constexpr double kAngleRounding = 1e-9;  // degrees
 constexpr double kReversal = 1e-3;       // degrees from an exact reversal; inner corners would be far away
@@ -29,12 +28,6 @@ Corner faulty(CornerFault fault, double gap_mm = 0.0) {
   corner.fault = fault;
   corner.gap_mm = gap_mm;
   return corner;
-}
-
-// Where the parallels of two straight lines through `at` meet. Not for reversals.
-Vec2 turning_point(Vec2 at, Vec2 tangent_in, Vec2 tangent_out, double left_mm) {
-  const Vec2 bisector = left_of(tangent_in) + left_of(tangent_out);
-  return at + left_mm / (1.0 + dot(tangent_in, tangent_out)) * bisector;
 }
 
 // The points around an outer corner on the tangents alone.
@@ -69,7 +62,7 @@ Corner inner_corner(const OffsetSegment& first, const OffsetSegment& next, const
   const Vec2 next_start = next.offset.start;
   // An almost tangent joint: the parallels may miss each other or meet far away, and their ends all but
   // touch. Beside a tool smaller than the gap they do so at sharp corners, too.
-  const bool goes_on = dot(end_tangent(first.programmed), start_tangent(next.programmed)) > 0.0;
+  const bool goes_on = dot(first.ends, next.begins) > 0.0;
   const bool almost_tangent = goes_on && distance(first_end, next_start) <= rules.joint_gap_mm;
   const Meeting meeting = meeting_of_curves(endless(first, rules.left_mm), endless(next, rules.left_mm));
   const std::optional<Vec2> nearest = nearest_point(meeting, first.programmed.end);
@@ -84,6 +77,12 @@ Corner inner_corner(const OffsetSegment& first, const OffsetSegment& next, const
   return almost_tangent ? straight_between(first_end, next_start) : faulty(fault);
 }
 
+OffsetSegment parallel_of(const PlanarSegment& programmed, double left_mm) {
+  const Vec2 begins = start_tangent(programmed);
+  const Vec2 ends = programmed.is_arc ? end_tangent(programmed) : begins;
+  return {programmed, offset_segment(programmed, left_mm, begins, ends), left_mm, begins, ends};
+}
+
 }  // namespace
 
 bool is_arc_too_small(const PlanarSegment& programmed, double left_mm) {
@@ -91,7 +90,7 @@ bool is_arc_too_small(const PlanarSegment& programmed, double left_mm) {
 }
 
 OffsetSegment offset_of(const PlanarSegment& programmed, double left_mm) {
-  OffsetSegment segment{programmed, offset_segment(programmed, left_mm), left_mm};
+  OffsetSegment segment = parallel_of(programmed, left_mm);
   if (programmed.is_arc && segment.offset.radius <= kLeastRadius) {
     segment.offset.radius = 0.0;
     segment.offset.start = segment.offset.end = programmed.center;
@@ -102,7 +101,7 @@ OffsetSegment offset_of(const PlanarSegment& programmed, double left_mm) {
 OffsetSegment offset_turned_over(const PlanarSegment& programmed, double left_mm) {
   const double radius = programmed.is_arc ? offset_radius(programmed, left_mm) : 1.0;
   if (radius > -kLeastRadius) return offset_of(programmed, left_mm);
-  OffsetSegment segment{programmed, offset_segment(programmed, left_mm), left_mm};
+  OffsetSegment segment = parallel_of(programmed, left_mm);
   segment.offset.radius = -radius;
   return segment;
 }
@@ -141,11 +140,23 @@ bool is_inner(double workpiece_angle_deg) {
 
 Corner crossover_corner(const OffsetSegment& first, const OffsetSegment& next, const CornerRules& rules) {
   const Vec2 at = first.programmed.end;
-  const Vec2 tangent_in = end_tangent(first.programmed);
-  const Vec2 tangent_out = start_tangent(next.programmed);
+  const Vec2 tangent_in = first.ends;
+  const Vec2 tangent_out = next.begins;
+  const Vec2 gap = next.offset.start - first.offset.end;
+  const bool straight_on = is_gentle(dot(tangent_in, tangent_out)) && !first.offset.is_arc &&
+                           !next.offset.is_arc && rules.small_angle_deg < 90.0;
+  if (dot(gap, gap) < kSamePoint * kSamePoint) {
+    Corner corner = corner_at(first.offset.end);
+    corner.gentle = straight_on;
+    return corner;
+  }
+  if (straight_on) {
+    // The same point whether it is an inner or an outer corner.
+    Corner corner = corner_at(turning_point(at, tangent_in, tangent_out, rules.left_mm));
+    corner.gentle = true;
+    return corner;
+  }
   const double angle = workpiece_angle_deg(tangent_in, tangent_out, rules.left_mm);
-  if (distance(first.offset.end, next.offset.start) < kSamePoint)
-    return straight_between(first.offset.end, next.offset.start);
   if (is_inner(angle)) {
     if (angle >= 360.0 - rules.small_angle_deg - kAngleRounding)
       return straight_between(first.offset.end, next.offset.start);
@@ -179,7 +190,7 @@ Corner imagined_corner(const OffsetSegment& first, Vec2 direction) {
 
 Corner start_corner(Vec2 tangent_in, const OffsetSegment& next, StartType type, const CornerRules& rules,
                     bool beside) {
-  const Vec2 tangent_out = start_tangent(next.programmed);
+  const Vec2 tangent_out = next.begins;
   const double angle = workpiece_angle_deg(tangent_in, tangent_out, rules.left_mm);
   const bool around =
       type == StartType::B && !is_inner(angle) && angle > rules.small_angle_deg + kAngleRounding;
@@ -195,7 +206,7 @@ Corner start_corner(Vec2 tangent_in, const OffsetSegment& next, StartType type, 
 
 Corner end_corner(const OffsetSegment& first, Vec2 tangent_out, StartType type, const CornerRules& rules,
                   bool beside) {
-  const Vec2 tangent_in = end_tangent(first.programmed);
+  const Vec2 tangent_in = first.ends;
   const double angle = workpiece_angle_deg(tangent_in, tangent_out, rules.left_mm);
   const bool around =
       type == StartType::B && !is_inner(angle) && angle > rules.small_angle_deg + kAngleRounding;

@@ -27,6 +27,8 @@ struct OffsetSegment {
   PlanarSegment programmed;
   PlanarSegment offset;
   double left_mm = 0.0;  ///< of the offset
+  Vec2 begins;           ///< directions of travel at the ends of the programmed segment, length 1
+  Vec2 ends;
 };
 
 /// The parallel from the point at right angles to the start to the point at right angles to the end. An arc
@@ -61,10 +63,32 @@ enum class CornerFault : std::uint8_t {
 /// straight from point to point, and the second segment begins at the last.
 struct Corner {
   FixedVector<Vec2, 4> points;  ///< never empty without a fault; neighbours are at least 1e-6 mm apart
-  bool fixed = false;           ///< commanded by the program: no interference removes it
+  bool gentle = false;  ///< of two straight segments that turn by less than a right angle: the one point
+                        ///< where their parallels meet. The tool keeps out of both on its way there and
+                        ///< from there.
+  bool fixed = false;   ///< commanded by the program: no interference removes it
   CornerFault fault = CornerFault::none;
   double gap_mm = 0.0;  ///< with CornerFault::apart: the distance by which the parallels miss each other
 };
+
+/// Where the parallels of two straight lines through `at` meet. Not for reversals.
+inline Vec2 turning_point(Vec2 at, Vec2 tangent_in, Vec2 tangent_out, double left_mm) {
+  const Vec2 bisector = left_of(tangent_in) + left_of(tangent_out);
+  return at + left_mm / (1.0 + dot(tangent_in, tangent_out)) * bisector;
+}
+
+/// Two straight lines that turn by less than a right angle. `turn_cosine`: of the angle between them.
+inline bool is_gentle(double turn_cosine) {
+  return turn_cosine > 1e-6;
+}
+
+inline constexpr double kSamePoint = 1e-6;  ///< mm; joints shorter than this are left out
+
+inline Corner corner_at(Vec2 point) {
+  Corner corner;
+  corner.points.push_back(point);
+  return corner;
+}
 
 /// Between two compensated segments. The offset of `first` may have been shortened at its start by the corner
 /// before.

@@ -7,13 +7,12 @@
 namespace kerf {
 namespace {
 
-constexpr double kBack = 1e-6;  // mm; a way back that rounding may make
-constexpr double kCut = 5e-4;   // mm; no deeper into a block than this
+constexpr double kCut = 5e-4;  // mm; no deeper into a block than this
 
 /// How far a segment goes on from one point to another, less than 0 when it runs back. mm
 double advance_along(const OffsetSegment& segment, Vec2 from, Vec2 to) {
   const PlanarSegment& programmed = segment.programmed;
-  if (!programmed.is_arc) return dot(to - from, start_tangent(programmed));
+  if (!programmed.is_arc) return dot(to - from, segment.begins);
   const bool turned_over = offset_radius(programmed, segment.left_mm) <= 0.0;
   if (turned_over) return dot(to - from, unit(programmed.end - programmed.start));
   const bool clockwise = programmed.sweep_deg < 0.0;
@@ -93,6 +92,7 @@ Interference remove_interference(Corner& begin, const OffsetSegment& segment, Co
   if (first == 0 || last == 0) return Interference::wholly;
   keep_first(begin, first);
   keep_last(end, last);
+  begin.gentle = end.gentle = false;
   return Interference::partly;
 }
 

@@ -9,6 +9,8 @@
 
 namespace kerf {
 
+inline constexpr double kBack = 1e-6;  ///< mm; a way back that rounding may make
+
 enum class Interference : std::uint8_t {
   none,
   partly,  ///< the points that interfered are gone

@@ -10,8 +10,9 @@ void PathQueue::clear() {
 
 Action& PathQueue::next_place() {
   if (released_ == 0) return path_.push();
-  ++released_;
-  return waiting_.push();
+  waiting_.push();
+  for (std::size_t i = waiting_.size() - 1; i > released_; --i) waiting_[i] = waiting_[i - 1];
+  return waiting_[released_++];
 }
 
 void PathQueue::add(const Action& action) {

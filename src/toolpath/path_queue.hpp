@@ -49,7 +49,7 @@ class PathQueue {
 
   /// The same for a move like another one to an end; its start becomes the position. Valid until the next one
   /// is added.
-  Move& add_move(const Origin& origin, const Move& like, const AxisVector& end);
+  [[gnu::hot]] Move& add_move(const Origin& origin, const Move& like, const AxisVector& end);
   void add_move(const Origin& origin, const Move& move) { add_move(origin, move, move.end); }
 
   /// Adds a straight move with the mode (linear for an arc), feed and commanded end of another.

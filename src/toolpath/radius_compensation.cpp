@@ -134,10 +134,8 @@ void RadiusCompensationPass::start(const Action& action, const Move& move) {
   displaced_ = after_alarm_ = has_corner_arc_ = unjoined_ = false;
   corner_arc_block_ = 0;
   held().action = action;
-  held().segment.programmed = straight(point(), in_plane(move.end, plane_));
-  held().segment.offset = offset_segment(held().segment.programmed, left_mm_);
+  held().segment = offset_of(straight(point(), in_plane(move.end, plane_)), left_mm_);
   held().segment.offset.start = point();
-  held().segment.left_mm = left_mm_;
   state_ = State::starting;
 }
 
@@ -189,11 +187,13 @@ void RadiusCompensationPass::suspend(const Action& action, const Move& move) {
   out_.add_move(action.origin, move);
   held().action = action;
   held().segment.programmed = straight(in_plane(move.start, plane_), in_plane(move.end, plane_));
+  held().segment.begins = held().segment.ends = start_tangent(held().segment.programmed);
   facing_ = plane_direction(plane_, move);
   unjoined_ = true;
 }
 
 void RadiusCompensationPass::advance(const Action& action, const Move& move) {
+  if (advance_gently(action, move)) return;
   const PlanarSegment programmed = segment_of(move, plane_);
   const double left_mm = left_offset(move.compensation);
   if (!policy_.small_arcs_turn_over && is_arc_too_small(programmed, left_mm))
@@ -206,10 +206,11 @@ void RadiusCompensationPass::advance(const Action& action, const Move& move) {
   if (look_ahead_fails(action.origin)) settle();
   if (state_ == State::off) return push_while_off(action);
 
-  const Vec2 direction = start_tangent(programmed);
+  const Vec2 direction = next.begins;
   if (has_corner_arc_ && corner_turn(direction)) settle();
   Vec2 entry = next.offset.start;
   bool computed = left_mm == left_mm_;
+  bool gentle = false;
   if (state_ != State::settled) {
     Corner corner = other_side && held_move().compensation.rule == VectorRule::computed
                         ? side_change_corner(held().segment, next)
@@ -220,6 +221,7 @@ void RadiusCompensationPass::advance(const Action& action, const Move& move) {
     leave_held_for(corner, action, direction);
     entry = corner.points.back();
     computed = computed && !corner.fixed;
+    gentle = computed && corner.gentle;
   } else {
     release_waiting(direction);
     if (unjoined_) entry = point();
@@ -229,6 +231,7 @@ void RadiusCompensationPass::advance(const Action& action, const Move& move) {
   }
   left_mm_ = left_mm;
   hold(action, next.left_mm == left_mm ? next : beside(programmed, left_mm), entry, computed);
+  held().gentle = gentle;
 }
 
 void RadiusCompensationPass::end(const Action& action, const Move& move) {

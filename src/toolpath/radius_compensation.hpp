@@ -94,6 +94,7 @@ class RadiusCompensationPass {
     Action action;
     OffsetSegment segment;  ///< its offset begins where the tool enters it
     bool computed = false;  ///< it begins where its corner was computed for its own amount
+    bool gentle = false;    ///< and that corner is gentle (Corner)
   };
 
   /// A corner arc that really turns.
@@ -115,6 +116,7 @@ class RadiusCompensationPass {
   void change_at_rest(const Move& move);
   void suspend(const Action& action, const Move& move);
   void advance(const Action& action, const Move& move);
+  [[gnu::hot]] bool advance_gently(const Action& action, const Move& move);
   void end(const Action& action, const Move& move);
   void finish();
   void turn_off(bool displaced);

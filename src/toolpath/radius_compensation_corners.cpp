@@ -15,8 +15,7 @@ Corner RadiusCompensationPass::corner_to(const OffsetSegment& next) const {
     return corner;
   }
   if (state_ == State::starting)
-    return start_corner(end_tangent(held().segment.programmed), next, policy_.start_type, rules(),
-                        policy_.type_b_beside);
+    return start_corner(held().segment.ends, next, policy_.start_type, rules(), policy_.type_b_beside);
   return crossover_corner(held().segment, next, rules());
 }
 
@@ -26,8 +25,7 @@ void RadiusCompensationPass::note_inner_corner(const Move& move, const OffsetSeg
   if (first.path_mode != PathMode::corner_override) return;
   const bool cutting = move.mode != MoveMode::rapid && first.mode != MoveMode::rapid;
   if (!cutting || state_ != State::running || first.compensation.rule != VectorRule::computed) return;
-  const double angle =
-      workpiece_angle_deg(end_tangent(held().segment.programmed), start_tangent(next.programmed), left_mm_);
+  const double angle = workpiece_angle_deg(held().segment.ends, next.begins, left_mm_);
   if (is_inner(angle)) first.inner_corner_deg = 360.0 - angle;
   // An arc put into the corner: its angle is not asked for (5.6 G62).
   if (move.rounds_corner && offset_radius(next.programmed, left_mm_) < next.programmed.radius)
@@ -66,7 +64,7 @@ Vec2 RadiusCompensationPass::vector_of(const RadiusCompensation& compensation, d
 // The turn of a corner arc to a direction; none when the corner is an inner one or there is nothing to turn.
 std::optional<RadiusCompensationPass::CornerTurn> RadiusCompensationPass::corner_turn(Vec2 direction) const {
   if (direction == Vec2{}) return std::nullopt;
-  const Vec2 facing = state_ == State::settled ? facing_ : end_tangent(held().segment.programmed);
+  const Vec2 facing = state_ == State::settled ? facing_ : held().segment.ends;
   const double angle = workpiece_angle_deg(facing, direction, left_mm_);
   const double turn_angle = 180.0 - angle;
   if ((is_inner(angle) && !policy_.corner_arc_inside) ||

@@ -9,7 +9,11 @@
 namespace kerf {
 namespace {
 
-constexpr double kWholeTurn = 360.0;  // degrees
+constexpr double kWholeTurn = 360.0 + 1e-9;  // degrees; a circle of exactly one turn is what the program says
+
+bool is_full_circle(const PlanarSegment& segment) {
+  return segment.is_arc && distance(segment.start, segment.end) <= kNoLength && segment.sweep_deg != 0.0;
+}
 
 }  // namespace
 
@@ -18,6 +22,7 @@ void RadiusCompensationPass::hold(const Action& action, const OffsetSegment& seg
                                   bool computed) {
   held().action = action;
   held().computed = computed;
+  held().gentle = false;
   held().segment = segment;
   begin_at(held().segment.offset, entry);
   has_corner_arc_ = unjoined_ = false;
@@ -27,7 +32,7 @@ void RadiusCompensationPass::hold(const Action& action, const OffsetSegment& seg
 
 void RadiusCompensationPass::leave_held(const Corner& corner, const Action& next) {
   add_corner(held().action, held().segment, corner, next);
-  facing_ = end_tangent(held().segment.programmed);
+  facing_ = held().segment.ends;
   state_ = State::settled;
 }
 
@@ -66,6 +71,43 @@ bool RadiusCompensationPass::sees_together(const Origin& next) const {
          next.block <= before_move().action.origin.block + policy_.interference_blocks;
 }
 
+// The way that most blocks of a contour take: one straight block behind another, gently, and nothing in
+// between. False: it is no such block, or the corner needs more than a look. Gives what advance() gives.
+bool RadiusCompensationPass::advance_gently(const Action& action, const Move& move) {
+  const Origin& origin = action.origin;
+  const RadiusCompensation& beside = move.compensation;
+  if (!before_ || !held().gentle || !before_->corner.gentle || !before_move().gentle) return false;
+  if (before_->waiting + out_.waiting() > 0 || origin.block != held().action.origin.block + 1) return false;
+  if (is_arc(move.mode) || beside.rule != VectorRule::computed || left_offset(beside) != left_mm_)
+    return false;
+  if (held_move().compensation.rule != VectorRule::computed || !sees_together(origin)) return false;
+  if (held_move().path_mode == PathMode::corner_override) return false;  // wants the angle
+
+  const HeldMove& first = held();
+  const OffsetSegment next = offset_of(segment_of(move, plane_), left_mm_);
+  const Vec2 gap = next.offset.start - first.segment.offset.end;
+  if (!is_gentle(dot(first.segment.ends, next.begins)) || dot(gap, gap) < kSamePoint * kSamePoint)
+    return false;
+  const Vec2 point = turning_point(first.segment.programmed.end, first.segment.ends, next.begins, left_mm_);
+  if (dot(point - before_->corner.points[0], first.segment.begins) < -kBack) return false;
+
+  has_earlier_ = true;
+  add_segment(before_move().action, before_move().segment, before_->corner.points[0]);
+  before_->corner.points[0] = point;
+  before_->direction = next.begins;
+  before_->is_contour = true;
+  held_at_ = (held_at_ + 1) % moves_.size();
+  HeldMove& last = held();
+  last.action.origin = origin;
+  last.action.what = move;
+  last.segment = next;
+  last.segment.offset.start = point;
+  last.computed = last.gentle = true;
+  unjoined_ = false;
+  corner_arc_block_ = 0;
+  return true;
+}
+
 // Looks at the move held back between the corner before it and `corner`, which the next move makes. True: an
 // alarm was raised.
 bool RadiusCompensationPass::interferes(Corner& corner, const Action& action, const OffsetSegment& next) {
@@ -81,6 +123,7 @@ bool RadiusCompensationPass::interferes(Corner& corner, const Action& action, co
   if (found == Interference::partly)
     held().segment.offset = straight(before_->corner.points.back(), corner.points[0]);
   if (found == Interference::wholly && !goes_around(corner, next, is_contour)) return refuse_before();
+  held().gentle = held().gentle && before_->corner.gentle;
   return before_keeps_clear(is_contour ? &next : nullptr) ? false : refuse_before();
 }
 
@@ -108,13 +151,16 @@ bool RadiusCompensationPass::has_contour_before() const {
 bool RadiusCompensationPass::before_keeps_clear(const OffsetSegment* next) const {
   const OffsetSegment& own = before_move().segment;
   const Corner& corner = before_->corner;
-  if (corner.fixed) return true;
+  if (corner.fixed || (corner.gentle && before_move().gentle)) return true;
   const bool has_before = has_contour_before();
   if (before_->is_contour && before_move().computed) {
     const PlanarSegment way = way_of(own, corner.points[0]);
     if (!keeps_clear(own, way)) return false;
+    // What lies where a full circle begins and ends leads into it and out of it.
+    if (is_full_circle(own.programmed)) return true;
     // Where the contour begins the rules of the start say where the tool stands.
-    if (has_earlier_ && has_before && !keeps_clear(held().segment, way)) return false;
+    const bool stands_in_it = !has_earlier_ && !keeps_clear(held().segment, straight(way.start, way.start));
+    if (has_before && !stands_in_it && !keeps_clear(held().segment, way)) return false;
     if (has_earlier_ && earlier().segment.left_mm == own.left_mm && !keeps_clear(earlier().segment, way))
       return false;
   }
@@ -131,7 +177,10 @@ bool RadiusCompensationPass::before_keeps_clear(const OffsetSegment* next) const
 bool RadiusCompensationPass::held_keeps_clear(const Corner& corner) const {
   if (corner.fixed || !held().computed) return true;
   const PlanarSegment way = way_of(held().segment, corner.points[0]);
-  return keeps_clear(held().segment, way);
+  if (!keeps_clear(held().segment, way)) return false;
+  if (is_full_circle(held().segment.programmed)) return true;
+  const bool stands_in_it = !keeps_clear(before_move().segment, straight(way.end, way.end));
+  return stands_in_it || !has_contour_before() || keeps_clear(before_move().segment, way);
 }
 
 bool RadiusCompensationPass::refuse_before() {
@@ -200,11 +249,11 @@ void RadiusCompensationPass::drop_corner_arc() {
 
 // What is left of the path beside a segment when it ends at `end`: a straight way when an arc has no length.
 PlanarSegment RadiusCompensationPass::way_of(const OffsetSegment& segment, Vec2 end) const {
+  if (!segment.offset.is_arc) return straight(segment.offset.start, end);
   PlanarSegment way = segment.offset;
   double left_deg = end_at(way, end);
-  if (!way.is_arc) return way;
   if (policy_.drops_whole_turns && left_deg >= kWholeTurn) {
-    left_deg -= kWholeTurn;
+    left_deg -= 360.0;
     way.sweep_deg = std::copysign(left_deg, way.sweep_deg);
   }
   way.radius = distance(way.center, way.start);
@@ -214,6 +263,10 @@ PlanarSegment RadiusCompensationPass::way_of(const OffsetSegment& segment, Vec2 
 void RadiusCompensationPass::add_segment(const Action& action, const OffsetSegment& segment, Vec2 end) {
   const Move& like = std::get<Move>(action.what);
   const AxisVector to = with_point(like.end, plane_, end);
+  if (!segment.offset.is_arc && !is_arc(like.mode)) {
+    if (!goes_nowhere(plane_, out_.position(), to)) out_.add_move(action.origin, like, to);
+    return;
+  }
   const PlanarSegment way = way_of(segment, end);
   if (!way.is_arc && goes_nowhere(plane_, out_.position(), to)) return;
   Move& move = out_.add_move(action.origin, like, to);

@@ -81,6 +81,7 @@ class BlockRun {
   // motion_step.cpp
   bool motion();
   bool machine_move();
+  void arrive_turned();
   void arrive_at_machine(const AxisVector& machine);
   bool straight(MoveMode mode, const AxisVector& target);
   bool arc();

@@ -113,9 +113,14 @@ void BlockRun::arrive(const AxisVector& programmed, AxisSet named) {
   registers.position = programmed;
   placement.machine = machine_position(placement, programmed, moving);
   for (const Axis axis : moving) placement.length_taken[axis] = placement.length[axis];
+  arrive_turned();
+}
+
+/// The program's position of the normal line axis follows it (6.6, cautions).
+void BlockRun::arrive_turned() {
   if (!turned_) return;
   const Axis axis = *rules_.settings().normal_line.axis;
-  registers.position[axis] = placement.machine[axis] = *turned_;
+  registers.position[axis] = registers.placement.machine[axis] = *turned_;
 }
 
 bool BlockRun::motion() {
@@ -145,6 +150,8 @@ bool BlockRun::straight(MoveMode mode, const AxisVector& target) {
   if (end != placement.machine) {
     const AxisVector commanded = target - workpiece_origin(registers, tables_);
     if (!feed_given_for(mode) || !push(mode, end, commanded)) return false;
+  } else if (!compensation_at_rest()) {
+    return false;
   }
   arrive(target, words_.axes());
   return true;
@@ -178,6 +185,7 @@ void BlockRun::arrive_at_machine(const AxisVector& machine) {
     placement.length_left_out.insert(axis);
     registers.position[axis] = machine[axis];
   }
+  arrive_turned();
   const PlaneRotation& rotation = placement.rotation;
   if (!rotation.active) return;
   if (!words_.axes().contains(rotation.plane.first) && !words_.axes().contains(rotation.plane.second)) return;
