@@ -134,6 +134,7 @@ struct Move {
   AxisVector end;              ///< machine coordinates
   AxisVector commanded;        ///< end in the coordinate system the block was written in, before tool
                                ///< compensations: the workpiece coordinate system, or the machine's for G53
+  bool normal_starts = false;  ///< with normal_line: the control starts here, even where it ended just before
   bool rounds_corner = false;  ///< an arc that was put into a corner
   double inner_corner_deg = 0.0;  ///< of a compensated move: angle of the inner corner at its end, on the
                                   ///< tool's side; 0: there is none between cutting moves

@@ -12,6 +12,7 @@ Move& push_pathless(MoveMode mode, double feed, ActionQueue& queue) {
   move.each_axis = false;
   move.passes_on = false;
   move.normal_line = Side::none;
+  move.normal_starts = false;
   move.rounds_corner = false;
   move.inner_corner_deg = 0.0;
   move.normal_zero = 0.0;

@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kNoWay = 1e-6;        // mm
 constexpr double kRoundingDeg = 1e-7;  // degrees
+constexpr double kLeastTurn = 1e-4;    // degrees; the least increment of the axis: less is no turn
 
 Vec2 plane_point(const AxisVector& position, const Plane& plane) {
   return {position[plane.first], position[plane.second]};
@@ -55,7 +56,7 @@ NormalTurn normal_turn(const Move& move, double angle_deg, bool first, const Nor
   NormalTurn result;
   if (first) {
     result.before = turn;
-  } else if (std::abs(turn) >= policy.least_angle_deg - kRoundingDeg && std::abs(turn) > kRoundingDeg) {
+  } else if (std::abs(turn) >= policy.least_angle_deg - kRoundingDeg && std::abs(turn) >= kLeastTurn) {
     result = policy.one_way ? turn_one_way(turn, move.normal_line, policy.least_angle_deg)
                             : NormalTurn{turn, 0.0, false};
   }

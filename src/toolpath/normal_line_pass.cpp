@@ -34,7 +34,7 @@ void NormalLinePass::push(const Origin& origin, Move move) {
     move.end[axis] = angle_;
     return add(origin, move);
   }
-  const NormalTurn turn = normal_turn(move, angle_ - move.normal_zero, !on_, policy_);
+  const NormalTurn turn = normal_turn(move, angle_ - move.normal_zero, !on_ || move.normal_starts, policy_);
   if (turn.wrong_way) {
     Action& action = out_.push();
     action.origin = origin;

@@ -102,7 +102,8 @@ void RadiusCompensationPass::push_corner_arc(const Action& action) {
   if (state_ == State::off)
     return out_.add({action.origin, Alarm{policy_.corner_arc_outside, action.origin.span, {}, {}}});
   // The starting block leads to the corner beside the next one: there is nothing to turn about.
-  if (state_ == State::starting && action.origin.block == held().action.origin.block) return;
+  const bool in_start = policy_.start_waits || action.origin.block == held().action.origin.block;
+  if (state_ == State::starting && in_start) return;
   corner_arc_block_ = action.origin.block;
   const auto& arc = std::get<CornerArc>(action.what);
   const Vec2 direction = unit(Vec2{arc.direction[0], arc.direction[1]});
@@ -120,6 +121,8 @@ void RadiusCompensationPass::push_corner_arc(const Action& action) {
 void RadiusCompensationPass::push_motionless(const Action& action) {
   const bool stop = policy_.stop_ends_look_ahead && std::holds_alternative<Stop>(action.what);
   if (stop || look_ahead_fails(action.origin) || out_.is_waiting_full()) settle();
+  // Where it would turn to stands behind what nothing is read across.
+  if (stop && has_corner_arc_) drop_corner_arc();
   if (state_ == State::off) return push_while_off(action);
   if (out_.is_waiting_full()) drop_corner_arc();
   out_.wait(action);

@@ -158,6 +158,7 @@ class RadiusCompensationPass {
     return policy_.small_arcs_turn_over ? offset_turned_over(programmed, left_mm)
                                         : offset_of(programmed, left_mm);
   }
+  Vec2 facing() const;
   Vec2 vector_of(const RadiusCompensation& compensation, double left_mm) const;
   CornerRules rules() const { return {left_mm_, policy_.small_angle_deg, policy_.joint_gap_mm}; }
   HeldMove& held() { return moves_[held_at_]; }

@@ -61,11 +61,19 @@ Vec2 RadiusCompensationPass::vector_of(const RadiusCompensation& compensation, d
   return {};
 }
 
+// The direction to which the tool stands at right angles at the end of the move held back: that of its end,
+// or one that a vector of the program gives it.
+Vec2 RadiusCompensationPass::facing() const {
+  const Vec2 vector = vector_of(held_move().compensation, left_mm_);
+  const bool stands_so = std::abs(length(vector) - std::abs(left_mm_)) <= kNoLength && vector != Vec2{};
+  return stands_so ? -left_of(vector / left_mm_) : held().segment.ends;
+}
+
 // The turn of a corner arc to a direction; none when the corner is an inner one or there is nothing to turn.
 std::optional<RadiusCompensationPass::CornerTurn> RadiusCompensationPass::corner_turn(Vec2 direction) const {
   if (direction == Vec2{}) return std::nullopt;
-  const Vec2 facing = state_ == State::settled ? facing_ : held().segment.ends;
-  const double angle = workpiece_angle_deg(facing, direction, left_mm_);
+  const double angle =
+      workpiece_angle_deg(state_ == State::settled ? facing_ : facing(), direction, left_mm_);
   const double turn_angle = 180.0 - angle;
   if ((is_inner(angle) && !policy_.corner_arc_inside) ||
       std::abs(left_mm_ * radians(turn_angle)) <= kNoLength)

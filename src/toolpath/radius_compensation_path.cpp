@@ -32,7 +32,7 @@ void RadiusCompensationPass::hold(const Action& action, const OffsetSegment& seg
 
 void RadiusCompensationPass::leave_held(const Corner& corner, const Action& next) {
   add_corner(held().action, held().segment, corner, next);
-  facing_ = held().segment.ends;
+  facing_ = facing();
   state_ = State::settled;
 }
 
@@ -238,7 +238,7 @@ void RadiusCompensationPass::release_waiting(Vec2 next_direction, std::size_t co
     }
     out_.release_first(plane_, to);
   }
-  has_corner_arc_ = false;
+  if (out_.waiting() == 0) has_corner_arc_ = false;
 }
 
 // A corner arc still waits for a move that does not come: it is left out.

@@ -26,8 +26,8 @@ void BlockRun::turn_along(Move& move) {
   const Axis axis = *policy.axis;
   // The angle counts in the coordinate system of the program.
   move.normal_zero = workpiece_origin(registers, tables_)[axis];
-  const NormalTurn turn =
-      normal_turn(move, move.start[axis] - move.normal_zero, !registers.normal_line_on, policy);
+  move.normal_starts = !registers.normal_line_on;
+  const NormalTurn turn = normal_turn(move, move.start[axis] - move.normal_zero, move.normal_starts, policy);
   registers.normal_line_on = registers.normal_line_on || has_direction(move);
   turned_ = move.start[axis] + turn.before + turn.during;
 }
