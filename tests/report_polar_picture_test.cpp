@@ -116,8 +116,29 @@ TEST(ReportPolarPicture, PlotAndReportSayWhatTheyShow) {
   record.actions = timed(passed(corner_and_arc().actions()));
   const std::string plot = svg_plot(record, machine, {"cam", "kerf"});
   EXPECT_EQ(xml_fault(plot), "");
-  EXPECT_EQ(count_of(plot, "Y, and C across the work (mm)"), 1U);
+  EXPECT_EQ(count_of(plot, "Y, C across (mm)"), 1U);
   EXPECT_NE(plot.find("X  110.000 … 130.000"), std::string::npos);
+}
+
+TEST(ReportPolarPicture, AFigureInAnyPlaneIsDrawnToScale) {
+  Machine machine = report_test::machine_with({Axis::X, Axis::Y, Axis::Z});
+  const auto plot_of = [&](const Plane& plane) {
+    Move arc = report_test::arc_xy(report_test::at(0, 0, 0), report_test::at(10, 0, 0), 5, 0, 180);
+    arc.plane = plane;
+    arc.start = arc.end = arc.commanded = {};
+    arc.end[plane.first] = arc.commanded[plane.first] = 10.0;
+    RunRecord record;
+    record.actions = timed({{{}, arc}});
+    return svg_plot(record, machine, {"arc", "kerf"});
+  };
+  // The plan is there in any case, the view from the side only for a figure that it shows; each has a scale
+  // bar then.
+  EXPECT_EQ(count_of(plot_of(kPlaneXY), "class=\"scale\""), 1U);
+  EXPECT_EQ(count_of(plot_of(kPlaneZX), "class=\"scale\""), 2U);
+  EXPECT_EQ(count_of(plot_of(kPlaneYZ), "class=\"scale\""), 2U);
+  EXPECT_EQ(plot_of(kPlaneXY).find("clip-YZ"), std::string::npos);
+  EXPECT_NE(plot_of(kPlaneYZ).find("clip-YZ"), std::string::npos);
+  EXPECT_EQ(plot_of(kPlaneZX).find("drawn ×"), std::string::npos);
 }
 
 TEST(ReportPolarPicture, EventsTellHowAxesBecomeTheFigure) {

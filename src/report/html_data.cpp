@@ -147,7 +147,11 @@ void append_limits(std::string& out, const RunExtents& extents, const std::vecto
   } else {
     out += "null";
   }
-  out += ",\"axes\":\"";
+  out += ",\"shapes\":[";
+  if (extents.elevation_shapes) out += "\"XZ\"";
+  if (extents.elevation_shapes && extents.side_shapes) out += ',';
+  if (extents.side_shapes) out += "\"YZ\"";
+  out += "],\"axes\":\"";
   for (const Axis axis : axes) out += letter(axis);
   out += "\",\"limits\":{";
   append_extents("all", extents.drawn);

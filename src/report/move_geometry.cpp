@@ -181,6 +181,10 @@ RunExtents extents_of(const std::vector<TimedAction>& actions, const DrawingExtr
     const Move* const move = drawn_move(timed, figure);
     if (move == nullptr) continue;
     extents.empty = false;
+    if (is_arc(move->mode) || swept_radius(*move) > 0.0 || move->normal_line != Side::none) {
+      extents.elevation_shapes = extents.elevation_shapes || looks_at(kElevationView, move->plane);
+      extents.side_shapes = extents.side_shapes || looks_at(kSideView, move->plane);
+    }
     const Move& of_axes = std::get<Move>(timed.action.what);
     const Extents reached = extents_of_axes(of_axes);
     Extents covered = extents_of_move(*move);

@@ -31,6 +31,7 @@ struct View {
 
 inline constexpr View kPlanView{Axis::X, Axis::Y};
 inline constexpr View kElevationView{Axis::X, Axis::Z};
+inline constexpr View kSideView{Axis::Y, Axis::Z};
 
 constexpr Point2 project(const AxisVector& position, View view) {
   return {position[view.horizontal], position[view.vertical]};
@@ -101,7 +102,10 @@ struct RunExtents {
                                                  ///< programmed path
   std::array<Extent, kAxisCount> drawn_cutting;  ///< pictures of moves at feed
   std::optional<Across> across;                  ///< figures of a polar plane are among the pictures
-  bool empty = true;                             ///< nothing moves
+  bool elevation_shapes = false;  ///< figures lie in the plane of the elevation, which must not
+                                  ///< be stretched then: arcs, swept bands, directions
+  bool side_shapes = false;       ///< likewise in the plane of the view from the side
+  bool empty = true;              ///< nothing moves
 };
 
 RunExtents extents_of(const std::vector<TimedAction>& actions, const DrawingExtras& extras = {});

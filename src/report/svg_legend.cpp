@@ -11,7 +11,7 @@ namespace {
 constexpr double kRow = 25.0;
 
 bool is_shown(const Plane& plane) {
-  return looks_at(kPlanView, plane) || looks_at(kElevationView, plane);
+  return looks_at(kPlanView, plane) || looks_at(kElevationView, plane) || looks_at(kSideView, plane);
 }
 
 bool shows_programmed(const DrawingExtras& extras) {

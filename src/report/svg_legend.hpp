@@ -20,7 +20,7 @@ struct Legend {
   std::size_t holes = 0;
 };
 
-/// What a plot of the actions shows in views of X-Y and X-Z.
+/// What a plot of the actions shows in views of X-Y, X-Z and Y-Z.
 Legend legend_of(const std::vector<TimedAction>& actions, const DrawingExtras& extras, std::size_t holes);
 
 /// From the middle of the first row to that of the last, picture units.

@@ -75,24 +75,24 @@ std::optional<Ends> ends_of(const RunRecord& record) {
 /// "Y (mm)", and what else is shown along the axis.
 std::string length_title(const RunExtents& extents, Axis axis) {
   if (!extents.across || extents.across->shown != axis) return fmt::format("{} (mm)", letter(axis));
-  return fmt::format("{}, and {} across the work (mm)", letter(axis), letter(extents.across->rotary));
+  return fmt::format("{}, {} across (mm)", letter(axis), letter(extents.across->rotary));
 }
 
-/// The plan: one scale for both axes, chosen so that it fills the frame's width or its largest height.
-ViewFrame plan_frame(const RunExtents& extents, double top) {
+/// One scale for both axes, chosen so that it fills the frame's width or its largest height.
+ViewFrame true_frame(const RunExtents& extents, View view, double top) {
   constexpr double kLowest = 200.0;
   constexpr double kHighest = 580.0;
   constexpr double kSmallestRange = 1e-6;
   constexpr double kPointRange = 10.0;  // mm around a run that stays at one point
   constexpr double kScaleBar = 28.0;    // room below the moves
-  const Extent& x = extents.drawn[index(Axis::X)];
-  const Extent& y = extents.drawn[index(Axis::Y)];
+  const Extent& x = extents.drawn[index(view.horizontal)];
+  const Extent& y = extents.drawn[index(view.vertical)];
   double x_range = x.length() * kMargin;
   const double y_range = y.length() * kMargin;
   if (std::max(x_range, y_range) < kSmallestRange) x_range = kPointRange;
 
   ViewFrame frame;
-  frame.view = kPlanView;
+  frame.view = view;
   frame.left = kLeft;
   frame.top = top;
   frame.width = kFrameWidth;
@@ -103,8 +103,9 @@ ViewFrame plan_frame(const RunExtents& extents, double top) {
   frame.height = moves_height + kScaleBar;
   frame.x_low = x.middle() - frame.width / frame.x_scale / 2.0;
   frame.y_low = y.middle() - (moves_height / 2.0 + kScaleBar) / frame.y_scale;
-  frame.x_title = length_title(extents, Axis::X);
-  frame.y_title = length_title(extents, Axis::Y);
+  frame.has_scale_bar = true;
+  frame.x_title = length_title(extents, view.horizontal);
+  frame.y_title = length_title(extents, view.vertical);
   return frame;
 }
 
@@ -116,6 +117,7 @@ ViewFrame elevation_frame(const RunExtents& extents, const ViewFrame& plan) {
   constexpr double kFlat = 1e-6;
   const Extent& z = extents.drawn[index(Axis::Z)];
   ViewFrame frame = plan;
+  frame.has_scale_bar = false;
   frame.view = kElevationView;
   frame.top = plan.top + plan.height + kGap;
   const double natural = z.length() * kMargin * plan.y_scale;
@@ -154,15 +156,21 @@ ViewFrame unrolled_frame(const RunExtents& extents, View view, double top) {
 }
 
 std::vector<ViewFrame> frames_of(const RunExtents& extents, const Machine& machine, double top) {
-  std::vector<ViewFrame> frames{plan_frame(extents, top)};
-  if (machine.axes.contains(Axis::Z)) frames.push_back(elevation_frame(extents, frames.front()));
+  std::vector<ViewFrame> frames{true_frame(extents, kPlanView, top)};
+  const auto below = [&frames] { return frames.back().top + frames.back().height + kGap; };
+  if (extents.elevation_shapes) {
+    frames.push_back(true_frame(extents, kElevationView, below()));
+  } else if (machine.axes.contains(Axis::Z)) {
+    frames.push_back(elevation_frame(extents, frames.front()));
+  }
+  if (extents.side_shapes) frames.push_back(true_frame(extents, kSideView, below()));
   for (const View view : {View{Axis::X, Axis::A}, View{Axis::Y, Axis::B}, View{Axis::Z, Axis::C}}) {
     constexpr double kTurning = 1e-6;
     const bool turns = machine.axes.contains(view.vertical) &&
                        machine[view.vertical].type == AxisType::rotary &&
                        extents.all[index(view.vertical)].length() > kTurning;
     if (!turns) continue;
-    frames.push_back(unrolled_frame(extents, view, frames.back().top + frames.back().height + kGap));
+    frames.push_back(unrolled_frame(extents, view, below()));
     const ViewFrame& plan = frames.front();
     ViewFrame& frame = frames.back();
     if (view.horizontal == Axis::X) {
@@ -227,14 +235,11 @@ double append_ranges(std::string& out, const RunExtents& extents, const Machine&
 
 void append_view(std::string& out, const ViewFrame& frame, const RunRecord& record,
                  const ViewStrokes& strokes, const RunExtents& extents, const std::vector<Hole>& holes) {
-  const bool plan = frame.view.vertical == Axis::Y;
   append_frame(out, frame);
   append_bounds(out, frame, extents);
   append_strokes(out, frame, strokes);
-  if (plan) {
-    append_holes(out, frame, holes);
-    append_scale_bar(out, frame);
-  }
+  if (frame.view.vertical == Axis::Y) append_holes(out, frame, holes);
+  if (frame.has_scale_bar) append_scale_bar(out, frame);
   if (const auto ends = ends_of(record)) append_start_and_end(out, frame, ends->start, ends->end);
 }
 

@@ -20,6 +20,7 @@ struct ViewFrame {
   double y_low = 0.0;    ///< machine coordinate at the lower edge
   double x_scale = 1.0;  ///< picture units per mm (or degree) of the horizontal axis
   double y_scale = 1.0;
+  bool has_scale_bar = false;
   std::string x_title;
   std::string y_title;
 

@@ -56,7 +56,7 @@ function runsOf(raw, name) {
 
 function readData(raw) {
   const data = {
-    axes: raw.axes, across: raw.across, texts: raw.texts, kinds: raw.actions.kinds, notes: raw.actions.notes,
+    axes: raw.axes, across: raw.across, shapes: raw.shapes, texts: raw.texts, kinds: raw.actions.kinds, notes: raw.actions.notes,
     start_s: restore(raw.actions.start, 1e4), duration_s: restore(raw.actions.duration, 1e4),
     moves: pathOf(raw.moves, raw.axes), swept: runsOf(raw.swept, 'radius'), programmed: null, pointing: null,
     length: restore(raw.moves.length, 1000), peak: restore(raw.moves.peak, 10),

@@ -49,7 +49,8 @@ function addView(data, selection, horizontal, vertical, title, leader) {
 
 function addViews(data, selection) {
   const plan = addView(data, selection, 'X', 'Y', 'Plan', null);
-  const views = [plan, addView(data, selection, 'X', 'Z', 'Elevation', plan)];
+  const views = [plan, addView(data, selection, 'X', 'Z', 'Elevation', data.shapes.includes('XZ') ? null : plan)];
+  if (data.shapes.includes('YZ')) views.push(addView(data, selection, 'Y', 'Z', 'Side', null));
   const beside = {A: 'X', B: 'Y', C: 'Z'};
   for (const axis of data.axes) {
     const along = beside[axis], [low, high] = data.limits[axis];

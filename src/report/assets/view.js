@@ -14,6 +14,7 @@ class ToolpathView {
     this.pristine = true;
     this.stretch = 1;  // vertical over horizontal scale
     this.plan = vertical === 'Y';
+    this.true = this.plan || data.shapes.includes(horizontal + vertical);  // to scale, whatever it takes
     this.moves = new PathOnView(this, data.moves);
     this.toolLayers = toolLayersOf(this);
     host.style.height = `${this.preferredHeight(host.clientWidth || 800)}px`;
@@ -37,7 +38,7 @@ class ToolpathView {
   preferredHeight(width) {
     const x = this.extent(this.h).length || 1, y = this.extent(this.v).length;
     const margins = viewMargin.top + viewMargin.bottom;
-    if (this.plan) return Math.min(560, Math.max(240, width * y / x + margins));
+    if (this.true) return Math.min(560, Math.max(240, width * y / x + margins));
     if (!'XYZ'.includes(this.v)) return 280;  // an angle has no scale to keep
     const scale = this.leader && this.leader.fittedScale ? this.leader.fittedScale : width / x;
     return Math.min(380, Math.max(180, y * scale + margins));
@@ -49,12 +50,12 @@ class ToolpathView {
     const height = Math.max(40, this.picture.height - viewMargin.top - viewMargin.bottom);
     const tiny = 1e-6;
     const byWidth = x.length > tiny ? width / x.length : Infinity;
-    const byHeight = this.plan && y.length > tiny ? height / y.length : Infinity;
+    const byHeight = this.true && y.length > tiny ? height / y.length : Infinity;
     this.scale = Math.min(byWidth, byHeight);
     if (!Number.isFinite(this.scale)) this.scale = width / 10;
     if (this.leader && this.leader.fittedScale) this.scale = this.leader.fittedScale;
     this.fittedScale = this.scale;
-    this.stretch = this.plan || y.length < tiny ? 1 : this.fittingStretch(height / (y.length * this.scale));
+    this.stretch = this.true || y.length < tiny ? 1 : this.fittingStretch(height / (y.length * this.scale));
     this.centerX = x.middle;
     this.centerY = y.middle;
   }
@@ -200,7 +201,7 @@ class ToolpathView {
       context.textAlign = 'center';
       label('nothing moves', width / 2, height / 2);
     }
-    if (this.plan) this.drawScaleBar(context, label);
+    if (this.true) this.drawScaleBar(context, label);
   }
 
   drawScaleBar(context, label) {
