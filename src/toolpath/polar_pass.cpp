@@ -70,8 +70,10 @@ void PolarPass::add_part(const Origin& origin, const Move& flat, double from, do
   const PolarPlane& polar = flat.polar;
   const double side = polar.minus ? -1.0 : 1.0;
   const double angle = position_[polar.rotary] - polar.zero;
-  const double turn = has_length(contour) ? shortest_turn_deg(start_angle_deg(contour) - angle) : 0.0;
-  const bool turns = std::abs(turn) > kNoTurn && length(contour.start) < kThroughOrigin;
+  const bool from_center = length(contour.start) < kThroughOrigin;
+  const bool stays = from_center && !has_length(contour);
+  const double turn = stays ? 0.0 : shortest_turn_deg(start_angle_deg(contour) - angle);
+  const bool turns = std::abs(turn) > kNoTurn && from_center;
   if (turns) turn_at_center(origin, flat, turn);
   Move move = flat;
   move.polar.form = PolarForm::axes;
