@@ -5,7 +5,6 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
-#include <random>
 
 #include "motion_test_support.hpp"
 
@@ -16,22 +15,11 @@ using motion_test::at;
 using motion_test::machine_with;
 using motion_test::Path;
 using motion_test::play;
+using motion_test::Random;
 using motion_test::Samples;
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kRounding = 1e-2;  // mm/s2: of differences of positions of some 100 mm over a cycle of 1 ms
-
-class Random {
- public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  double uniform(double low, double high) { return low + (high - low) * unit_(engine_); }
-  double magnitude(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
-  bool chance(double probability) { return unit_(engine_) < probability; }
-
- private:
-  std::mt19937 engine_;
-  std::uniform_real_distribution<double> unit_{0.0, 1.0};
-};
 
 Machine uneven_machine() {
   Machine machine = machine_with({Axis::X, Axis::Y, Axis::Z, Axis::A});

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
-#include <random>
 
 #include "execute/polar_plane.hpp"
 #include "geometry/polar.hpp"
@@ -17,23 +16,12 @@ namespace {
 
 using motion_test::machine_with;
 using motion_test::play;
+using motion_test::Random;
 using motion_test::Samples;
 using polar_test::passed;
 using polar_test::PolarProgram;
 
 constexpr double kRounding = 2e-2;  // mm/s2 and degrees/s2: of second differences over a cycle of 1 ms
-
-class Random {
- public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-  double uniform(double low, double high) { return low + (high - low) * unit_(engine_); }
-  double magnitude(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
-  bool chance(double probability) { return unit_(engine_) < probability; }
-
- private:
-  std::mt19937 engine_;
-  std::uniform_real_distribution<double> unit_{0.0, 1.0};
-};
 
 Machine polar_machine() {
   Machine machine = machine_with({Axis::X, Axis::Z, Axis::C});

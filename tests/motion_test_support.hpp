@@ -4,12 +4,26 @@
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
+#include <random>
 #include <utility>
 #include <vector>
 
 #include "motion/trajectory.hpp"
 
 namespace kerf::motion_test {
+
+/// Numbers from a fixed seed.
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  double uniform(double low, double high) { return low + (high - low) * unit_(engine_); }
+  double magnitude(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
+  bool chance(double probability) { return unit_(engine_) < probability; }
+
+ private:
+  std::mt19937 engine_;
+  std::uniform_real_distribution<double> unit_{0.0, 1.0};
+};
 
 /// Every axis: rapid 12000 mm/min (200 mm/s), highest feed 6000 mm/min (100 mm/s), the given acceleration.
 inline Machine machine_with(AxisSet axes, double acceleration = 500.0) {

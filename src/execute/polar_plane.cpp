@@ -28,6 +28,12 @@ PlanarSegment polar_contour(const Move& move) {
   return curved(start, end, center, move.arc.radius, move.arc.sweep);
 }
 
+AxisVector between(const AxisVector& from, const AxisVector& to, double part) {
+  if (part <= 0.0) return from;
+  if (part >= 1.0) return to;
+  return from + (to - from) * part;
+}
+
 PolarReach polar_reach(const Move& move) {
   const PolarPlane& polar = move.polar;
   const PolarRange range = polar_range(polar_contour(move));

@@ -11,6 +11,10 @@ namespace kerf {
 /// point that of the rotary axis (PolarPlane). For either form.
 PlanarSegment polar_contour(const Move& move);
 
+/// The position after a part of the way, 0 <= part <= 1; the ends themselves, not what rounding makes of
+/// them.
+AxisVector between(const AxisVector& from, const AxisVector& to, double part);
+
 /// What the axes of a move of PolarForm::axes reach, machine coordinates: between its ends the linear axis
 /// may come nearer to the centre of rotation than at either, and the rotary axis turn back on an arc.
 struct PolarReach {

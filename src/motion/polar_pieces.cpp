@@ -20,10 +20,6 @@ bool is_even(const PlanarSegment& piece) {
   return rates.turn <= kRateSpread * rates.least_turn;
 }
 
-AxisVector between(const AxisVector& from, const AxisVector& to, double part) {
-  return part >= 1.0 ? to : from + (to - from) * part;
-}
-
 }  // namespace
 
 void PolarPieces::take(const Action& action) {

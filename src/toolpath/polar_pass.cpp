@@ -26,12 +26,6 @@ double chained(double stands, double begins) {
   return std::abs(begins - stands) <= kRounding ? stands : begins;
 }
 
-AxisVector between(const AxisVector& from, const AxisVector& to, double part) {
-  if (part <= 0.0) return from;
-  if (part >= 1.0) return to;
-  return from + (to - from) * part;
-}
-
 }  // namespace
 
 void PolarPass::reset() {

@@ -61,7 +61,7 @@ bool BlockRun::operation() {
 
 bool BlockRun::dwell() {
   // P, H and L beside M98 belong to the call.
-  const bool call = words_.program_code() == ProgramCode::call;
+  const bool call = calls();
   const Word* seconds = words_.find('X');
   const Word* milliseconds = call ? nullptr : words_.find('P');
   if (seconds != nullptr && milliseconds != nullptr) {
