@@ -42,6 +42,10 @@ void PathQueue::add_rejoined(const Origin& origin, const Move& move) {
   add_move(origin, move);
 }
 
+void PathQueue::drop_waiting() {
+  while (waiting() > 0) waiting_.drop_back();
+}
+
 void PathQueue::release_first(const Plane& plane, Vec2 to) {
   if (Move* move = std::get_if<Move>(&waiting_[released_].what)) {
     move->start = position_;

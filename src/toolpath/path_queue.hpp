@@ -69,6 +69,9 @@ class PathQueue {
   /// The first action that still waits; nullptr when none does.
   Action* first_waiting() { return released_ < waiting_.size() ? &waiting_[released_] : nullptr; }
 
+  /// Forgets the actions that still wait.
+  void drop_waiting();
+
   /// Lets go of the first waiting action. A move takes the position along in the other axes and leads to the
   /// point `to` of the plane. A corner arc that is let go is never given out.
   void release_first(const Plane& plane, Vec2 to);

@@ -164,7 +164,7 @@ void RadiusCompensationPass::change_at_rest(const Move& move) {
     if (distance(point(), to) > kNoLength)
       out_.add_joint(held().action.origin, held_move(), with_point(out_.position(), plane_, to));
   } else {
-    leave_held(corner_at(to), held().action);
+    leave_held_at(to);
   }
   release_waiting({});
   unjoined_ = true;
@@ -183,7 +183,7 @@ void RadiusCompensationPass::suspend(const Action& action, const Move& move) {
       if (interferes(corner, action, next)) return;
     }
     leave_before();
-    leave_held(corner, action);
+    leave_held(corner, action, {});
   }
   release_waiting({});
   drop_corner_arc();
@@ -250,10 +250,12 @@ void RadiusCompensationPass::end(const Action& action, const Move& move) {
     Corner corner = corner_to_end(move);
     const OffsetSegment next = beside(segment_of(move, plane_), left_mm_);
     if (direction != Vec2{} && interferes(corner, action, next)) return;
-    const bool clear = !sees_together(action.origin) || held_keeps_clear(corner);
+    if (sees_together(action.origin) && !held_keeps_clear(corner)) {
+      leave_before_and_stop();
+      return static_cast<void>(refuse(held().action.origin));
+    }
     leave_before();
-    if (!clear) return static_cast<void>(refuse(held().action.origin));
-    leave_held(corner, action);
+    leave_held(corner, action, direction);
   }
   release_waiting(direction);
   drop_corner_arc();

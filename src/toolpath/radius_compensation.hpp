@@ -122,11 +122,12 @@ class RadiusCompensationPass {
   void turn_off(bool displaced);
 
   void hold(const Action& action, const OffsetSegment& segment, Vec2 entry, bool computed);
-  void leave_held(const Corner& corner, const Action& next);
+  void leave_held(const Corner& corner, const Action& next, Vec2 next_direction);
+  void leave_held_at(Vec2 end);
   void leave_held_for(const Corner& corner, const Action& next, Vec2 next_direction);
   void leave_before();
-  void add_corner(const Action& action, const OffsetSegment& segment, const Corner& corner,
-                  const Action& next);
+  void leave_before_and_stop();
+  void add_corner(const Corner& corner, const Action& like);
   void note_inner_corner(const Move& move, const OffsetSegment& next);
   bool sees_together(const Origin& next) const;
   bool interferes(Corner& corner, const Action& action, const OffsetSegment& next);

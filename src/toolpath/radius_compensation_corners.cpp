@@ -96,10 +96,6 @@ bool RadiusCompensationPass::look_ahead_fails(const Origin& next) const {
 void RadiusCompensationPass::raise(const AlarmKind* kind, const Origin& origin,
                                    const FixedText<200>& message) {
   if (sees_together(origin) && !before_keeps_clear(nullptr)) return static_cast<void>(refuse_before());
-  if (policy_.stops_before_fault && state_ == State::running) {
-    leave_before();
-    state_ = State::settled;
-  }
   if (state_ != State::off) settle();
   drop_corner_arc();
   out_.add({origin, Alarm{kind, origin.span, message, {}}});
@@ -112,6 +108,8 @@ void RadiusCompensationPass::raise_corner_fault(const Corner& corner, const Orig
   const FixedText<64> place =
       FixedText<64>::format("at {}{:.3f} {}{:.3f} with an offset of {:.3f} mm", letter(plane_.first),
                             at[plane_.first], letter(plane_.second), at[plane_.second], std::abs(left_mm_));
+  if (sees_together(next) && !before_keeps_clear(nullptr)) return static_cast<void>(refuse_before());
+  if (policy_.stops_before_fault && state_ == State::running) leave_before_and_stop();
   if (corner.fault == CornerFault::apart)
     return raise(policy_.no_crossover, next,
                  FixedText<200>::format("The offset paths miss each other by {:.3f} mm {}", corner.gap_mm,

@@ -30,8 +30,16 @@ void RadiusCompensationPass::hold(const Action& action, const OffsetSegment& seg
   state_ = State::running;
 }
 
-void RadiusCompensationPass::leave_held(const Corner& corner, const Action& next) {
-  add_corner(held().action, held().segment, corner, next);
+// The move held back, what waits behind it, and the way around the corner.
+void RadiusCompensationPass::leave_held(const Corner& corner, const Action& next, Vec2 next_direction) {
+  leave_held_at(corner.points[0]);
+  if (policy_.joints_belong_to_next) release_waiting(next_direction);
+  add_corner(corner, policy_.joints_belong_to_next ? next : held().action);
+  if (!policy_.joints_belong_to_next) release_waiting(next_direction);
+}
+
+void RadiusCompensationPass::leave_held_at(Vec2 end) {
+  add_segment(held().action, held().segment, end);
   facing_ = facing();
   state_ = State::settled;
 }
@@ -39,11 +47,8 @@ void RadiusCompensationPass::leave_held(const Corner& corner, const Action& next
 // The corner is known; with an interference check the one behind it may still change it.
 void RadiusCompensationPass::leave_held_for(const Corner& corner, const Action& next, Vec2 next_direction) {
   leave_before();
-  if (policy_.interference == InterferenceCheck::none || has_corner_arc_) {
-    leave_held(corner, next);
-    release_waiting(next_direction);
-    return;
-  }
+  if (policy_.interference == InterferenceCheck::none || has_corner_arc_)
+    return leave_held(corner, next, next_direction);
   before_ = Before{corner, next_direction, out_.waiting(), state_ == State::running};
   held_at_ = (held_at_ + 1) % moves_.size();
 }
@@ -51,15 +56,22 @@ void RadiusCompensationPass::leave_held_for(const Corner& corner, const Action& 
 void RadiusCompensationPass::leave_before() {
   has_earlier_ = before_ && before_->is_contour;
   if (!before_) return;
-  add_corner(before_move().action, before_move().segment, before_->corner, held().action);
-  release_waiting(before_->direction, before_->waiting);
+  add_segment(before_move().action, before_move().segment, before_->corner.points[0]);
+  if (policy_.joints_belong_to_next) release_waiting(before_->direction, before_->waiting);
+  add_corner(before_->corner, policy_.joints_belong_to_next ? held().action : before_move().action);
+  if (!policy_.joints_belong_to_next) release_waiting(before_->direction, before_->waiting);
   before_.reset();
 }
 
-void RadiusCompensationPass::add_corner(const Action& action, const OffsetSegment& segment,
-                                        const Corner& corner, const Action& next) {
-  add_segment(action, segment, corner.points[0]);
-  const Action& like = policy_.joints_belong_to_next ? next : action;
+// The tool stops in front of the move held back, which is not made, nor anything behind it.
+void RadiusCompensationPass::leave_before_and_stop() {
+  if (before_ && policy_.joints_belong_to_next) before_->corner = corner_at(before_->corner.points[0]);
+  leave_before();
+  out_.drop_waiting();
+  state_ = State::settled;
+}
+
+void RadiusCompensationPass::add_corner(const Corner& corner, const Action& like) {
   for (std::size_t i = 1; i < corner.points.size(); ++i) {
     out_.add_joint(like.origin, std::get<Move>(like.what),
                    with_point(out_.position(), plane_, corner.points[i]));
@@ -186,6 +198,7 @@ bool RadiusCompensationPass::held_keeps_clear(const Corner& corner) const {
 bool RadiusCompensationPass::refuse_before() {
   const Origin refused = before_move().action.origin;
   before_.reset();
+  out_.drop_waiting();
   return refuse(refused);
 }
 
@@ -201,7 +214,7 @@ bool RadiusCompensationPass::refuse(const Origin& refused) {
 
 void RadiusCompensationPass::leave_held_at_right_angles() {
   const bool own = held_move().compensation.rule != VectorRule::computed;
-  leave_held(own ? corner_to({}) : corner_at(held().segment.offset.end), held().action);
+  leave_held_at(own ? corner_to({}).points[0] : held().segment.offset.end);
 }
 
 // The look-ahead ends here: nothing is held back any longer.
