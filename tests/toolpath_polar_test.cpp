@@ -179,6 +179,25 @@ TEST(PolarPass, TheMovesBehindChainWithoutRounding) {
   }
 }
 
+TEST(PolarPass, TheModeBeginsAgainWhereItLeftTheAxes) {
+  PolarProgram program(20.3, 100.7, 33.3);
+  program.to(7.1, 13.3).to(-3.7, 9.1);
+  const Vec2 at = program.here();
+  Move out;
+  out.start[Axis::X] = 100.7 + length(at);
+  out.start[Axis::C] = 33.3 + degrees(std::atan2(at.y, at.x)) + 2e-13;
+  out.end = out.start;
+  out.end[Axis::X] = 104.0;
+  program.action(out);
+  PolarProgram again(104.0 - 100.7, 100.7, out.end[Axis::C]);
+  again.to(2.0, 1.0);
+  program.action(again.actions().front().what);
+  const auto moves = moves_of(passed(program.actions()));
+  ASSERT_EQ(moves.size(), 4U);
+  for (std::size_t i = 1; i < moves.size(); ++i) EXPECT_EQ(moves[i].start, moves[i - 1].end) << i;
+  expect_axes(moves[3], 100.7 + std::sqrt(5.0), out.end[Axis::C] + degrees(std::atan2(1.0, 2.0)));
+}
+
 TEST(PolarPass, OtherActionsPassInOrder) {
   PolarProgram program(20.0);
   program.to(20.0, 20.0).action(Dwell{1.0}).to(20.0, 0.0).action(Auxiliary{8});

@@ -45,15 +45,20 @@ void PolarPass::push(const Origin& origin, const Move& move) {
   if (move.polar.form == PolarForm::none) return leave(origin, move);
   Move flat = move;
   flat.polar.zero += turned_;
-  if (!on_) {
-    position_ = move.start;
-    position_[move.polar.rotary] = flat.polar.zero;
-  }
-  on_ = true;
+  if (!on_) enter(flat);
   linear_ = move.polar.linear;
   const double part = part_before_origin(polar_contour(flat));
   if (part > 0.0) add_part(origin, flat, 0.0, part);
   add_part(origin, flat, part, 1.0);
+}
+
+/// Axes that have not moved since the mode was left stand where it left them.
+void PolarPass::enter(const Move& flat) {
+  AxisVector stands = flat.start;
+  stands[flat.polar.rotary] = flat.polar.zero;
+  for (const Axis axis : elsewhere_) stands[axis] = position_[axis];
+  position_ = stands;
+  on_ = true;
 }
 
 /// One part of the move that does not run through the centre.

@@ -33,6 +33,7 @@ class PolarPass {
  private:
   bool is_idle() const { return !on_ && turned_ == 0.0 && elsewhere_.empty(); }
   void push(const Origin& origin, const Move& move);
+  void enter(const Move& flat);
   void leave(const Origin& origin, Move move);
   void add_part(const Origin& origin, const Move& flat, double from, double to);
   void turn_at_center(const Origin& origin, const Move& like, double by);
