@@ -198,6 +198,38 @@ TEST(PolarPass, TheModeBeginsAgainWhereItLeftTheAxes) {
   expect_axes(moves[3], 100.7 + std::sqrt(5.0), out.end[Axis::C] + degrees(std::atan2(1.0, 2.0)));
 }
 
+TEST(PolarPass, ATurnAtTheCentreChainsFarOut) {
+  PolarProgram program(20.3, 100.7, 16560.526121171377);
+  for (int i = 1; i <= 50; ++i) program.to(0.0, 0.0).to(0.37 * i, 0.1 * i * (i % 2 == 0 ? -1.0 : 1.0));
+  const auto moves = moves_of(passed(program.actions()));
+  ASSERT_GE(moves.size(), 150U);
+  for (std::size_t i = 1; i < moves.size(); ++i) ASSERT_EQ(moves[i].start, moves[i - 1].end) << i;
+}
+
+// Rounding adds up between the dialect's figures and those of the pass while the axis is not moved by itself.
+TEST(PolarPass, FiguresThatDriftApartDoNotBreakTheChain) {
+  PolarProgram program(20.0);
+  program.to(20.0, 20.0);
+  PolarProgram again(20.0 * std::sqrt(2.0), 0.0, 45.0 + 1e-6);
+  again.to(1.0, 1.0).to(1.0, 0.0);
+  for (const Action& action : again.actions()) program.action(action.what);
+  Move up;
+  up.start[Axis::X] = up.end[Axis::X] = 20.0 * std::sqrt(2.0);
+  up.start[Axis::C] = up.end[Axis::C] = 45.0 + 1e-6;
+  up.end[Axis::Z] = 10.0;
+  auto actions = program.actions();
+  actions.insert(actions.begin() + 1, Action{{}, up});
+  for (std::size_t i = 2; i < actions.size(); ++i) {
+    auto& move = std::get<Move>(actions[i].what);
+    move.start[Axis::Z] = move.end[Axis::Z] = 10.0;
+  }
+  const auto moves = moves_of(passed(actions));
+  ASSERT_EQ(moves.size(), 4U);
+  for (std::size_t i = 1; i < moves.size(); ++i) EXPECT_EQ(moves[i].start, moves[i - 1].end) << i;
+  expect_axes(moves[2], std::sqrt(2.0), 45.0 + 45.0);
+  expect_axes(moves[3], 1.0, 45.0);
+}
+
 TEST(PolarPass, OtherActionsPassInOrder) {
   PolarProgram program(20.0);
   program.to(20.0, 20.0).action(Dwell{1.0}).to(20.0, 0.0).action(Auxiliary{8});

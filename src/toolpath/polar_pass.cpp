@@ -30,7 +30,7 @@ double chained(double stands, double begins) {
 
 void PolarPass::reset() {
   on_ = false;
-  turned_ = 0.0;
+  turned_ = shift_ = 0.0;
   elsewhere_ = {};
   out_.clear();
 }
@@ -43,20 +43,23 @@ void PolarPass::add(const Origin& origin, const Move& move) {
 
 void PolarPass::push(const Origin& origin, const Move& move) {
   if (move.polar.form == PolarForm::none) return leave(origin, move);
+  if (!on_) enter(move);
   Move flat = move;
-  flat.polar.zero += turned_;
-  if (!on_) enter(flat);
+  flat.polar.zero += turned_ + shift_;
   linear_ = move.polar.linear;
   const double part = part_before_origin(polar_contour(flat));
   if (part > 0.0) add_part(origin, flat, 0.0, part);
   add_part(origin, flat, part, 1.0);
 }
 
-/// Axes that have not moved since the mode was left stand where it left them.
-void PolarPass::enter(const Move& flat) {
-  AxisVector stands = flat.start;
-  stands[flat.polar.rotary] = flat.polar.zero;
+/// Axes that have not moved since the mode was left stand where it left them, and the angle counts from
+/// there.
+void PolarPass::enter(const Move& move) {
+  const Axis rotary = move.polar.rotary;
+  AxisVector stands = move.start;
+  stands[rotary] = move.polar.zero + turned_;
   for (const Axis axis : elsewhere_) stands[axis] = position_[axis];
+  shift_ = stands[rotary] - (move.polar.zero + turned_);
   position_ = stands;
   on_ = true;
 }
@@ -99,6 +102,7 @@ void PolarPass::turn_at_center(const Origin& origin, const Move& like, double by
   turn.from_rest = turn.exact_stop = true;
   turn.start = turn.end = position_;
   turn.end[rotary] += by;
+  position_ = turn.end;
   add(origin, turn);
 }
 

@@ -33,15 +33,16 @@ class PolarPass {
  private:
   bool is_idle() const { return !on_ && turned_ == 0.0 && elsewhere_.empty(); }
   void push(const Origin& origin, const Move& move);
-  void enter(const Move& flat);
+  void enter(const Move& move);
   void leave(const Origin& origin, Move move);
   void add_part(const Origin& origin, const Move& flat, double from, double to);
   void turn_at_center(const Origin& origin, const Move& like, double by);
   void add(const Origin& origin, const Move& move);
 
   PolarPolicy policy_;
-  bool on_ = false;        ///< the last move was one of the plane
-  double turned_ = 0.0;    ///< whole turns that the axis is ahead of the program, degrees
+  bool on_ = false;      ///< the last move was one of the plane
+  double turned_ = 0.0;  ///< whole turns that the axis is ahead of the program, degrees
+  double shift_ = 0.0;   ///< of the rotary axis where the mode began, from where the program had it, degrees
   Axis linear_ = Axis::X;  ///< of the last plane
   AxisVector position_;    ///< of the axes, behind the last move of the plane
   AxisSet elsewhere_;      ///< behind the mode: axes that have not moved since, and do not stand where the
