@@ -198,12 +198,23 @@ TEST(PolarPass, TheModeBeginsAgainWhereItLeftTheAxes) {
   expect_axes(moves[3], 100.7 + std::sqrt(5.0), out.end[Axis::C] + degrees(std::atan2(1.0, 2.0)));
 }
 
-TEST(PolarPass, ATurnAtTheCentreChainsFarOut) {
-  PolarProgram program(20.3, 100.7, 16560.526121171377);
-  for (int i = 1; i <= 50; ++i) program.to(0.0, 0.0).to(0.37 * i, 0.1 * i * (i % 2 == 0 ? -1.0 : 1.0));
-  const auto moves = moves_of(passed(program.actions()));
-  ASSERT_GE(moves.size(), 150U);
-  for (std::size_t i = 1; i < moves.size(); ++i) ASSERT_EQ(moves[i].start, moves[i - 1].end) << i;
+TEST(PolarPass, BehindAnAlarmTheProgramGoesOnFromAnywhere) {
+  static constexpr AlarmKind kind;
+  PolarProgram program(20.0);
+  program.to(20.0, 20.0).action(Alarm{&kind, {}, {}, {}});
+  Move away;
+  away.start[Axis::X] = away.end[Axis::X] = 7.0;
+  away.end[Axis::C] = 12.0;
+  program.action(away);
+  PolarProgram again(7.0, 0.0, 12.0);
+  again.to(3.0, 4.0);
+  program.action(again.actions().front().what);
+  const auto actions = passed(program.actions());
+  ASSERT_EQ(actions.size(), 4U);
+  EXPECT_EQ(std::get<Move>(actions[2].what).start, away.start);
+  const auto& last = std::get<Move>(actions[3].what);
+  EXPECT_EQ(last.start, away.end);
+  expect_axes(last, 5.0, 12.0 + degrees(std::atan2(4.0, 3.0)));
 }
 
 // Rounding adds up between the dialect's figures and those of the pass while the axis is not moved by itself.

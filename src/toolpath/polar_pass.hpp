@@ -21,6 +21,7 @@ class PolarPass {
   const Action* next(Upstream& upstream) {
     if (!out_.empty()) return &out_.pop();
     const Action* action = upstream.next();
+    if (action != nullptr && stops_program(*action)) reset();  // the program may go on from anywhere
     const Move* move = action == nullptr || !policy_.rotary ? nullptr : std::get_if<Move>(&action->what);
     if (move == nullptr || (move->polar.form == PolarForm::none && is_idle())) return action;
     push(action->origin, *move);
