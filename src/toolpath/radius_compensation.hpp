@@ -23,7 +23,9 @@ namespace kerf {
 ///   exchanges sides.
 /// - A move of a new start (RadiusCompensation::start) starts the compensation again from the point at right
 ///   angles to the end of the last move.
-/// - Actions between two compensated moves are given out in order, where the first move and its joints end.
+/// - Actions between two compensated moves are given out in order, where the first move ends; behind its
+/// joints
+///   when these belong to it, in front of them when the policy gives them to the next move.
 /// - The look-ahead ends when `blocks_without_motion` or more blocks lie between two moves (counted by
 ///   Origin::block, without the block of a corner arc), or more than 64 actions: the first move ends at the
 ///   point at right angles to its end, and the tool goes straight to the point at right angles to the start
@@ -31,20 +33,20 @@ namespace kerf {
 /// - A corner arc whose direction is given is made at once, behind the actions in front of it; one without
 ///   waits for the next move. At an inner corner it is left out, and the corner is joined as without it; so
 ///   it is in the block that starts the compensation.
-/// - Moves put in at corners carry origin, mode, feed and commanded end of the move before them; those after
-///   a failed look-ahead or a corner arc carry the ones of the move after them.
+/// - Moves put in at corners carry origin, mode, feed and commanded end of the move they belong to; those
+///   after a failed look-ahead or a corner arc carry the ones of the move after them.
 /// - End and the end of the actions finish the last move at the point at right angles to its end and take
 ///   the compensation back.
-/// - An alarm drops the move it is about (and, when an arc is used up by its neighbours, the move after it)
-///   and takes the compensation back. The next move goes on from where the tool is; a straight one starts
-///   the compensation again when it commands a side, arcs before it run as programmed.
+/// - An alarm drops the move it is about (and, when an arc is used up by its neighbours, the move after it;
+///   where the policy stops before a fault and in an interference, also what stands behind it) and takes the
+///   compensation back. The next move goes on from where the tool is; a straight one starts the compensation
+///   again when it commands a side, arcs before it run as programmed.
 /// - Without an interference check an inner corner may turn the direction of a short straight move round.
 /// With
 ///   one, a move is held back until the corner behind the next is known, too.
 /// - VectorRule gives the end of a move a point of its own; a suspended move goes to its programmed end, and
-/// the
-///   one behind it from there to its own end point. Side and amount may change where the policy says so: the
-///   corner before the move that changes them has the old amount.
+///   the one behind it from there to its own end point. Side and amount may change where the policy says so:
+///   the corner before the move that changes them has the old amount.
 ///
 /// Start and end of the moves given out chain exactly. Moves that shrink to nothing are left out. Nothing is
 /// allocated. While not in force, actions are handed through without a copy.
