@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "execute/scalar_functions.hpp"
+
 namespace kerf {
 namespace {
 
@@ -84,6 +86,18 @@ MathFault binary(ExpressionOp op, double a, double b, double& value) {
     case ExpressionOp::greater_equal:
       value = a >= b ? 1.0 : 0.0;
       return MathFault::none;
+    case ExpressionOp::quotient:
+      value = a / b;
+      return MathFault::none;
+    case ExpressionOp::remainder:
+      value = std::fmod(a, b);
+      return MathFault::none;
+    case ExpressionOp::both:
+      value = a != 0.0 && b != 0.0 ? 1.0 : 0.0;
+      return MathFault::none;
+    case ExpressionOp::either:
+      value = a != 0.0 || b != 0.0 ? 1.0 : 0.0;
+      return MathFault::none;
     default:
       return power(a, b, value);
   }
@@ -142,6 +156,9 @@ MathFault unary(ExpressionOp op, double a, double& value) {
     case ExpressionOp::logarithm:
       value = std::log(a);
       return a <= 0.0 ? MathFault::out_of_domain : MathFault::none;
+    case ExpressionOp::negation:
+      value = a == 0.0 ? 1.0 : 0.0;
+      return MathFault::none;
     default:
       value = std::exp(a);
       return MathFault::none;
@@ -186,6 +203,13 @@ MathFault evaluate(Expression expression, const MacroVariables& variables, doubl
       case ExpressionOp::less_equal:
         --top;
         *top = *top <= top[1] ? 1.0 : 0.0;
+        break;
+      case ExpressionOp::call1:
+        *top = scalar_function(static_cast<std::size_t>(step.operand), *top);
+        break;
+      case ExpressionOp::call2:
+        --top;
+        *top = scalar_function(static_cast<std::size_t>(step.operand), *top, top[1]);
         break;
       default: {
         if (is_binary(step.op)) --top;

@@ -1,6 +1,7 @@
 #pragma once
-// Numbered variables of a macro language: common ones, and local ones for each depth of macro calls.
+// Numbered variables of a macro language: common ones, and local ones for each level of calls.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -8,55 +9,73 @@
 
 namespace kerf {
 
-/// Which variables exist. Numbers 1 to kLocals are local, those from kFirstCommon on common, without a gap;
-/// no others exist.
+/// Which variables exist, by their numbers. Local ones stand below the common ones.
 struct MacroVariableLayout {
-  static constexpr int kLocals = 33;
-  static constexpr int kFirstCommon = 100;
-  bool locals = false;      ///< the machine has local variables
-  std::int64_t common = 0;  ///< number of common variables
+  std::int64_t first_local = 1;
+  std::int64_t locals = 0;  ///< local variables of a level
+  std::size_t levels = 5;  ///< the main program and the calls within each other that have locals of their own
+  std::int64_t first_common = 100;
+  std::int64_t common = 0;
 };
+
+/// The arguments of a call: they become the first local variables.
+using MacroArguments = std::array<double, 33>;
 
 /// A value; allocates only when the layout is set.
 class MacroVariables {
  public:
-  static constexpr std::size_t kLevels = 5;  ///< the main program and four macro calls
-  using Locals = std::array<double, MacroVariableLayout::kLocals>;
-
   MacroVariables() = default;
   explicit MacroVariables(const MacroVariableLayout& layout)
-      : common_(static_cast<std::size_t>(layout.common), 0.0), has_locals_(layout.locals) {}
+      : layout_(layout),
+        common_(static_cast<std::size_t>(layout.common), 0.0),
+        locals_(static_cast<std::size_t>(layout.locals) * layout.levels, 0.0) {}
 
   /// The variable of a number, null when there is none. A fraction of the number is dropped.
   double* find(double number) {
     return const_cast<double*>(static_cast<const MacroVariables*>(this)->find(number));
   }
   const double* find(double number) const {
-    constexpr double kFirst = MacroVariableLayout::kFirstCommon;
-    if (number >= kFirst) {
-      const double place = number - kFirst;
-      return place < static_cast<double>(common_.size()) ? &common_[static_cast<std::size_t>(place)]
+    double place = number - static_cast<double>(layout_.first_common);
+    if (place >= 0.0)
+      return place < static_cast<double>(layout_.common) ? &common_[static_cast<std::size_t>(place)]
                                                          : nullptr;
-    }
-    const bool local = has_locals_ && number >= 1.0 && number < MacroVariableLayout::kLocals + 1;
-    return local ? &locals_[level_][static_cast<std::size_t>(number) - 1] : nullptr;
+    place = number - static_cast<double>(layout_.first_local);
+    const bool local = place >= 0.0 && place < static_cast<double>(layout_.locals);
+    return local ? &locals_[first_of(level_) + static_cast<std::size_t>(place)] : nullptr;
   }
 
-  /// Depth of macro calls, 0 in the main program.
+  /// Depth of calls with locals of their own, 0 in the main program; below levels().
   std::size_t level() const { return level_; }
-  void set_level(std::size_t level) { level_ = level; }
+  std::size_t levels() const { return layout_.levels; }
+  bool has_locals() const { return layout_.locals > 0; }
+  void leave_level() { --level_; }
+  /// Goes one level down. The locals there become the arguments where bit i of `given` says so; without
+  /// `keep` the others become 0.
+  void enter_level(const MacroArguments& arguments, std::uint64_t given, bool keep) {
+    ++level_;
+    if (!keep) clear_level();
+    for (std::size_t i = 0; i < arguments.size() && i < static_cast<std::size_t>(layout_.locals); ++i) {
+      if ((given >> i & 1U) != 0) locals_[first_of(level_) + i] = arguments[i];
+    }
+  }
+  /// All local variables of the present level are 0.
+  void clear_level() {
+    const auto first = locals_.begin() + static_cast<std::ptrdiff_t>(first_of(level_));
+    std::fill(first, first + layout_.locals, 0.0);
+  }
   /// What a start of the main program does: all local variables are 0.
   void restart() {
     level_ = 0;
-    locals_ = {};
+    std::fill(locals_.begin(), locals_.end(), 0.0);
   }
-  Locals& locals_of(std::size_t level) { return locals_[level]; }
 
  private:
+  std::size_t first_of(std::size_t level) const { return level * static_cast<std::size_t>(layout_.locals); }
+
+  MacroVariableLayout layout_;
   std::vector<double> common_;
-  std::array<Locals, kLevels> locals_{};
+  std::vector<double> locals_;  ///< level by level
   std::size_t level_ = 0;
-  bool has_locals_ = false;
 };
 
 }  // namespace kerf

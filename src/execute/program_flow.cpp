@@ -73,7 +73,7 @@ ProgramFlow::Result ProgramFlow::leave_program(MacroVariables& variables) {
 }
 
 void ProgramFlow::leave(MacroVariables& variables) {
-  if (here().macro) variables.set_level(variables.level() - 1);
+  if (here().macro) variables.leave_level();
   here().program.reset();
   frames_.resize(frames_.size() - 1);
 }
@@ -107,6 +107,8 @@ ProgramFlow::Step ProgramFlow::execute(const Statement& statement, Block& block,
       return enter_loop(statement, variables);
     case StatementKind::end_do:
       return end_loop(statement);
+    case StatementKind::branch:
+      return branch(statement, variables);
     case StatementKind::nothing:
       ++frame.next;
       return Step::on;
@@ -239,6 +241,15 @@ ProgramFlow::Step ProgramFlow::go_to(const Statement& statement, const MacroVari
   return jump(target);
 }
 
+ProgramFlow::Step ProgramFlow::branch(const Statement& statement, const MacroVariables& variables) {
+  bool holds = false;
+  if (statement.condition.count > 0 && evaluate_condition(statement.condition, variables, holds) != Step::on)
+    return Step::fault;
+  if (!holds) return jump(statement.jump);
+  ++here().next;
+  return Step::on;
+}
+
 void ProgramFlow::leave_ranges(StatementIndex statement) {
   Frame& frame = here();
   while (!frame.ranges.empty() && !range_of(frame.program->ranges, frame.ranges.back()).contains(statement)) {
@@ -305,17 +316,12 @@ ProgramFlow::Result ProgramFlow::carry_out(const FlowRequest& request, MacroVari
   return request.kind == FlowRequest::Kind::go_back ? go_back(request, variables) : call(request, variables);
 }
 
-std::size_t ProgramFlow::macro_depth() const {
-  std::size_t depth = 0;
-  for (const Frame& frame : frames_) depth += frame.macro ? 1 : 0;
-  return depth;
-}
-
 ProgramFlow::Result ProgramFlow::call(const FlowRequest& request, MacroVariables& variables) {
   const bool macro = request.kind == FlowRequest::Kind::macro_call;
   if (request.repetitions <= 0) return Result::block;
   if (!count_round()) return refuse(FlowFault::endless);
-  if (macro && macro_depth() >= kMacroCalls) return refuse(FlowFault::macro_depth, request.place);
+  if (macro && variables.level() + 1 >= variables.levels())
+    return refuse(FlowFault::macro_depth, request.place);
   if (frames_.full()) return refuse(FlowFault::call_depth, request.place);
   auto called =
       request.program < 0 || request.program == program().number ? here().program : finder_(request.program);
@@ -326,13 +332,8 @@ ProgramFlow::Result ProgramFlow::call(const FlowRequest& request, MacroVariables
     if (entry == kNoStatement) return refuse(FlowFault::no_sequence_number, request.place);
   }
   if (macro) {
-    if (request.given != 0 && variables.find(1.0) == nullptr) return refuse(FlowFault::no_variable);
-    auto& locals = variables.locals_of(variables.level() + 1);
-    for (std::size_t i = 0; i < locals.size(); ++i) {
-      const bool given = (request.given >> i & 1U) != 0;
-      if (given || !request.keep_locals) locals[i] = given ? request.arguments[i] : 0.0;
-    }
-    variables.set_level(variables.level() + 1);
+    if (request.given != 0 && !variables.has_locals()) return refuse(FlowFault::no_variable);
+    variables.enter_level(request.arguments, request.given, request.keep_locals);
   }
   here().call = here().next - 1;
   Frame& frame = frames_.push_back();
@@ -341,6 +342,16 @@ ProgramFlow::Result ProgramFlow::call(const FlowRequest& request, MacroVariables
   frame.next = frame.entry = entry;
   frame.repetitions_left = request.repetitions - 1;
   frame.macro = macro;
+  frame.renews_locals = request.renews_locals;
+  return Result::block;
+}
+
+ProgramFlow::Result ProgramFlow::repeat(MacroVariables& variables) {
+  if (!count_round()) return refuse(FlowFault::endless);
+  Frame& frame = here();
+  --frame.repetitions_left;
+  frame.next = frame.entry;
+  if (frame.renews_locals) variables.clear_level();
   return Result::block;
 }
 
@@ -349,12 +360,7 @@ ProgramFlow::Result ProgramFlow::go_back(const FlowRequest& request, MacroVariab
   Frame& frame = here();
   frame.loops.clear();
   frame.ranges.clear();
-  if (frame.repetitions_left > 0) {
-    if (!count_round()) return refuse(FlowFault::endless);
-    --frame.repetitions_left;
-    frame.next = frame.entry;
-    return Result::block;
-  }
+  if (frame.repetitions_left > 0) return repeat(variables);
   const bool main = frames_.size() == 1;
   Frame& target_frame = main ? frame : frames_[frames_.size() - 2];
   StatementIndex target = main ? 0 : target_frame.next;

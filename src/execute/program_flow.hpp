@@ -30,8 +30,9 @@ struct FlowRequest {
   std::int32_t sequence_number = 0;  ///< where to start or go on; 0: the start, or behind the call
   std::int32_t repetitions = 1;      ///< 0: none
   bool keep_locals = false;          ///< locals without an argument keep their values instead of becoming 0
+  bool renews_locals = false;        ///< every repetition begins with locals of 0
   std::uint64_t given = 0;           ///< bit i - 1: argument for the local variable i
-  MacroVariables::Locals arguments{};
+  MacroArguments arguments{};
 };
 
 /// What can be wrong on the way.
@@ -65,7 +66,6 @@ using FlowAlarms = std::array<FlowAlarm, kFlowFaults>;
 class ProgramFlow {
  public:
   static constexpr std::size_t kCalls = 10;
-  static constexpr std::size_t kMacroCalls = MacroVariables::kLevels - 1;
   static constexpr std::size_t kLoops = 27;   ///< nested, over all programs
   static constexpr std::size_t kRanges = 10;  ///< IFs nested in one program
   /// Jumps back, repetitions and calls after which a program counts as endless, ten times as many as with
@@ -112,7 +112,8 @@ class ProgramFlow {
     StatementIndex entry = 0;  ///< where a repetition starts
     StatementIndex call = 0;   ///< statement of the last call made from here
     std::int32_t repetitions_left = 0;
-    bool macro = false;
+    bool macro = false;  ///< has locals of its own
+    bool renews_locals = false;
     FixedVector<std::int16_t, kRanges> ranges;  ///< entered through their IFs
     FixedVector<std::int16_t, kLoops> loops;    ///< entered through their WHILE or DO
   };
@@ -133,15 +134,16 @@ class ProgramFlow {
   Step compute(const ExpressionRef& expression, const MacroVariables& variables, double& value);
   Result call(const FlowRequest& request, MacroVariables& variables);
   Result go_back(const FlowRequest& request, MacroVariables& variables);
+  Result repeat(MacroVariables& variables);
   Step fail(FlowFault fault);
   Result refuse(FlowFault fault);
   Result refuse(FlowFault fault, const SourceSpan& place);
   bool inside_unclosed_loop() const;
   bool may_jump_to(const Frame& frame, StatementIndex target) const;
+  Step branch(const Statement& statement, const MacroVariables& variables);
   void leave_ranges(StatementIndex statement);
   void leave_loops(Frame& frame, StatementIndex statement);
   std::size_t loop_depth() const;
-  std::size_t macro_depth() const;
   void skip_block();
   void go_behind_fault(const Statement& statement);
   /// Goes back to the caller of the present program.

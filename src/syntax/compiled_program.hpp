@@ -24,6 +24,7 @@ enum class StatementKind : std::uint8_t {
   else_part,   ///< to `jump` when the range was entered through its IF
   while_do,    ///< enters the loop `loop`; to `jump` when `condition` is given and does not hold
   end_do,      ///< back to `jump`, the WHILE or DO of the loop
+  branch,      ///< to `jump` unless `condition` is given and holds
   nothing,     ///< a label, an ENDIF
   fault,       ///< raises fault number `jump`
 };

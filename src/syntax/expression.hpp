@@ -29,6 +29,11 @@ enum class ExpressionOp : std::uint8_t {
   greater_equal,
   less_equal,
   power,
+  quotient,   ///< of IEEE arithmetic: x / 0 is an infinity, 0 / 0 is no number
+  remainder,  ///< with the sign of the dividend; x % 0 is no number
+  both,       ///< truth values are 1 and 0
+  either,
+  call2,  ///< the function of two arguments with the number ExpressionStep::operand (scalar_functions.hpp)
   // functions of one argument; angles in degrees
   sine,
   cosine,
@@ -45,10 +50,12 @@ enum class ExpressionOp : std::uint8_t {
   round_up,  ///< away from zero
   logarithm,
   exponential,
+  negation,  ///< of a truth value
+  call1,     ///< as call2, with one argument
 };
 
 constexpr bool is_binary(ExpressionOp op) {
-  return op >= ExpressionOp::add && op <= ExpressionOp::power;
+  return op >= ExpressionOp::add && op <= ExpressionOp::call2;
 }
 
 struct ExpressionStep {

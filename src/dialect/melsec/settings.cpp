@@ -19,7 +19,7 @@ ControllerSettings controller_settings(const Settings& s) {
   c.polar_rotary = axis_of(s.text("melsec.system.polar_rotary_axis"));
   c.variables.common =
       s.integer("melsec.system.common_system_points") + s.integer("melsec.system.common_all_points");
-  c.variables.locals = !s.text("melsec.system.local_start_device").empty();
+  if (!s.text("melsec.system.local_start_device").empty()) c.variables.locals = 33;
   c.each_axis = s.text("melsec.system.g00_non_interpolation") == "each-axis";
   c.axis_tolerance = s.text("melsec.system.per_axis_tolerable_acceleration") == "each-axis";
   c.rotation_takes_start = s.text("melsec.work.coordinate_rotation_type") == "type-1";
