@@ -60,6 +60,8 @@ void CornerRounding::round(Action& next) {
   Move& first = std::get<Move>(held_->what);
   Move& second = std::get<Move>(next.what);
   if (first.plane != second.plane || first.normal_line != second.normal_line) return;
+  // A vector that the program gives holds at the corner itself.
+  if (first.compensation.rule != VectorRule::computed || first.compensation.suspended) return;
   const Vec2 in = direction_of(first);
   const double turn = turn_deg(in, direction_of(second));
   if (std::abs(turn) < kStraightOn || std::abs(turn) > 180.0 - kStraightOn) return;

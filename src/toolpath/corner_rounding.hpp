@@ -11,8 +11,8 @@ namespace kerf {
 
 /// Between two straight cutting moves under normal line control, of successive blocks and at least as long as
 /// the radius, an arc of the policy's radius replaces the corner. The arc belongs to the first block. Where
-/// the moves are too short for the arc to touch them the corner stays. Allocates nothing; without a radius
-/// everything is handed through.
+/// the moves are too short for the arc to touch them the corner stays, and where the program gives it a
+/// vector of tool radius compensation. Allocates nothing; without a radius everything is handed through.
 class CornerRounding {
  public:
   explicit CornerRounding(const NormalLinePolicy& policy);
