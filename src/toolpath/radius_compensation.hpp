@@ -151,6 +151,7 @@ class RadiusCompensationPass {
   Corner corner_to(const OffsetSegment& next) const;
   Corner corner_to_end(const Move& move) const;
   std::optional<CornerTurn> corner_turn(Vec2 direction) const;
+  bool stands_beside_end() const;
   bool look_ahead_fails(const Origin& next) const;
 
   void raise(const AlarmKind* kind, const Origin& origin, const FixedText<200>& message);

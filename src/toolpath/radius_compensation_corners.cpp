@@ -69,9 +69,20 @@ Vec2 RadiusCompensationPass::facing() const {
   return stands_so ? -left_of(vector / left_mm_) : held().segment.ends;
 }
 
+// The tool stands, or will stand, as far from the end of the move held back as the amount says: not where a
+// vector of another length was given, or none.
+bool RadiusCompensationPass::stands_beside_end() const {
+  double away = std::abs(left_mm_);
+  if (state_ == State::settled)
+    away = distance(point(), held().segment.programmed.end);
+  else if (held_move().compensation.rule != VectorRule::computed)
+    away = length(vector_of(held_move().compensation, left_mm_));
+  return std::abs(away - std::abs(left_mm_)) <= kNoLength;
+}
+
 // The turn of a corner arc to a direction; none when the corner is an inner one or there is nothing to turn.
 std::optional<RadiusCompensationPass::CornerTurn> RadiusCompensationPass::corner_turn(Vec2 direction) const {
-  if (direction == Vec2{}) return std::nullopt;
+  if (direction == Vec2{} || !stands_beside_end()) return std::nullopt;
   const double angle =
       workpiece_angle_deg(state_ == State::settled ? facing_ : facing(), direction, left_mm_);
   const double turn_angle = 180.0 - angle;
