@@ -18,7 +18,7 @@ namespace kerf {
 /// has the block that it is executed with (MELSEC 6.4, 6.6). A value of 0 in `sequence_number` is a legal N0.
 struct Origin {
   SourceSpan span;                    ///< the block
-  std::uint32_t block = 0;            ///< executed blocks with content since the start, counted from 1
+  std::uint32_t block = 0;            ///< blocks with content reached since the start, counted from 1
   std::int32_t program = -1;          ///< program number; -1: none
   std::int32_t sequence_number = -1;  ///< sequence number in force; -1: none
 };

@@ -73,7 +73,7 @@ void Interpreter::recover() {
 void Interpreter::execute_block() {
   behind_alarm_ = false;
   const Registers& registers = state_.registers;
-  queue_.begin({block_.span, ++blocks_, registers.program, registers.sequence_number});
+  queue_.begin({block_.span, blocks_, registers.program, registers.sequence_number});
   const BlockOutcome outcome = rules_->execute(block_, state_, queue_, effects_);
   finished_ = outcome == BlockOutcome::ended;
   refused_ = outcome == BlockOutcome::alarm;
@@ -89,6 +89,7 @@ void Interpreter::read_block(BlockReader& reader) {
   refused_ = false;
   switch (reader.next(block_, options_.block_skip)) {
     case BlockReader::Result::block:
+      ++blocks_;
       execute_block();
       break;
     case BlockReader::Result::fault:
@@ -113,6 +114,7 @@ void Interpreter::read_block(ProgramFlow& flow) {
     result = flow.leave_program(state_.variables);
     if (result == ProgramFlow::Result::block) return;
   }
+  blocks_ = flow.blocks();
   Registers& registers = state_.registers;
   registers.program = flow.program().number;
   if (flow.sequence_number() >= 0) registers.sequence_number = flow.sequence_number();

@@ -41,6 +41,7 @@ ProgramFlow::Result ProgramFlow::next(Block& block, MacroVariables& variables) {
     if (statement.first_of_block) {
       span_ = statement.span;
       sequence_number_ = statement.sequence_number;
+      ++blocks_;
     }
     switch (execute(statement, block, variables)) {
       case Step::on:

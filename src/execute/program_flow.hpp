@@ -103,6 +103,9 @@ class ProgramFlow {
   const CompiledProgram& program() const { return *frames_.back().program; }
   /// The text of a program that was run, by its number.
   std::shared_ptr<const Source> source_of(std::int32_t number) const;
+  /// Blocks reached since the start, this one included; those of conditions, loops and variables count as
+  /// well.
+  std::uint32_t blocks() const { return blocks_; }
   std::int32_t sequence_number() const { return sequence_number_; }  ///< of the block reached; -1: none
 
  private:
@@ -161,6 +164,7 @@ class ProgramFlow {
   StatementFault fault_;
   SourceSpan span_{0, 1, 1, 1};
   std::int32_t sequence_number_ = -1;
+  std::uint32_t blocks_ = 0;
 };
 
 }  // namespace kerf

@@ -7,9 +7,10 @@
 namespace kerf {
 namespace {
 
-constexpr double kLeastRadius = 1e-4;    // mm; the least increment of the machines
-constexpr double kAngleRounding = 1e-9;  // degrees
-constexpr double kReversal = 1e-3;       // degrees from an exact reversal; inner corners would be far away
+constexpr double kLeastRadius = 1e-4;     // mm; the least increment of the machines
+constexpr double kAngleRounding = 1e-9;   // degrees
+constexpr double kSideChangeReach = 2.0;  // amounts
+constexpr double kReversal = 1e-3;        // degrees from an exact reversal; inner corners would be far away
 
 void add_point(Corner& corner, Vec2 point) {
   if (corner.points.empty() || distance(corner.points.back(), point) >= kSamePoint)
@@ -175,7 +176,9 @@ Corner side_change_corner(const OffsetSegment& first, const OffsetSegment& next)
   const PlanarSegment along = endless(first, first.left_mm);
   const PlanarSegment on = endless(next, next.left_mm);
   const std::optional<Vec2> meeting = nearest_point(meeting_of_curves(along, on), first.programmed.end);
-  if (!meeting) return straight_between(first.offset.end, next.offset.start);
+  const double reach = kSideChangeReach * std::max(std::abs(first.left_mm), std::abs(next.left_mm));
+  if (!meeting || distance(*meeting, first.programmed.end) > reach + kSamePoint)
+    return straight_between(first.offset.end, next.offset.start);
   return straight_between(*meeting, *meeting);
 }
 

@@ -94,8 +94,9 @@ inline Corner corner_at(Vec2 point) {
 /// before.
 Corner crossover_corner(const OffsetSegment& first, const OffsetSegment& next, const CornerRules& rules);
 
-/// Between two segments on different sides of the path: where the parallels meet; where they do not, from the
-/// point at right angles to the end of the first to the one at right angles to the start of the next.
+/// Between two segments on different sides of the path: where the parallels meet, at most two amounts from
+/// the corner; where they do not, from the point at right angles to the end of the first to the one at right
+/// angles to the start of the next.
 Corner side_change_corner(const OffsetSegment& first, const OffsetSegment& next);
 
 /// From a segment to the parallel of an imagined straight block along `direction`, on whichever side of the

@@ -15,6 +15,12 @@ Vec2 direction_of(const Move& move) {
   return unit(in_plane(move.end, move.plane) - in_plane(move.start, move.plane));
 }
 
+/// What a block may give in front of its move. Nothing is looked at across a stop.
+bool comes_before_the_move(const Action& action) {
+  return std::holds_alternative<Auxiliary>(action.what) || std::holds_alternative<Spindle>(action.what) ||
+         std::holds_alternative<ToolChange>(action.what);
+}
+
 /// The position after a part of a straight move.
 AxisVector position_at(const Move& move, double part) {
   AxisVector position = move.end - move.start;
@@ -30,6 +36,7 @@ CornerRounding::CornerRounding(const NormalLinePolicy& policy)
 
 void CornerRounding::reset() {
   held_.reset();
+  waiting_.clear();
   out_.clear();
 }
 
@@ -42,7 +49,9 @@ bool CornerRounding::may_round(const Action& action) const {
 void CornerRounding::push(const Action& action) {
   Action next = action;
   const bool may = may_round(next);
-  if (held_ && may && next.origin.block == held_->origin.block + 1) round(next);
+  const bool behind_held = held_ && next.origin.block == held_->origin.block + 1;
+  if (behind_held && comes_before_the_move(next) && !waiting_.full()) return waiting_.push(next);
+  if (behind_held && may) round(next);
   release();
   if (may) {
     held_ = next;
@@ -54,6 +63,7 @@ void CornerRounding::push(const Action& action) {
 void CornerRounding::release() {
   if (held_) out_.push(*held_);
   held_.reset();
+  while (!waiting_.empty()) out_.push(waiting_.pop());
 }
 
 void CornerRounding::round(Action& next) {
@@ -68,6 +78,7 @@ void CornerRounding::round(Action& next) {
   const double cut = radius_ * std::tan(radians(0.5 * std::abs(turn)));
   if (cut > way_of(first) || cut > way_of(second)) return;
 
+  const double way_of_held = way_of(first);
   Move arc = first;
   arc.start = position_at(first, 1.0 - cut / way_of(first));
   arc.end = position_at(second, cut / way_of(second));
@@ -78,7 +89,7 @@ void CornerRounding::round(Action& next) {
   first.end = arc.start;
   first.exact_stop = false;
   second.start = arc.end;
-  out_.push(*held_);
+  if (cut < way_of_held) out_.push(*held_);
   held_->what = arc;
 }
 

@@ -10,9 +10,10 @@
 namespace kerf {
 
 /// Between two straight cutting moves under normal line control, of successive blocks and at least as long as
-/// the radius, an arc of the policy's radius replaces the corner. The arc belongs to the first block. Where
-/// the moves are too short for the arc to touch them the corner stays, and where the program gives it a
-/// vector of tool radius compensation. Allocates nothing; without a radius everything is handed through.
+/// the radius, an arc of the policy's radius replaces the corner. The arc belongs to the first block; what
+/// the second block gives in front of its move comes behind the arc. Where the moves are too short for the
+/// arc to touch them the corner stays, and where the program gives it a vector of tool radius compensation.
+/// Allocates nothing; without a radius everything is handed through.
 class CornerRounding {
  public:
   explicit CornerRounding(const NormalLinePolicy& policy);
@@ -45,7 +46,8 @@ class CornerRounding {
 
   double radius_ = 0.0;  ///< mm; 0: no corner is rounded
   std::optional<Action> held_;
-  FixedQueue<Action, 4> out_;
+  FixedQueue<Action, 8> waiting_;  ///< actions of the block behind it that come before that block's move
+  FixedQueue<Action, 12> out_;
 };
 
 }  // namespace kerf

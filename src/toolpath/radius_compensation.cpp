@@ -21,8 +21,14 @@ void RadiusCompensationPass::reset() {
   after_alarm_ = from_rest_ = unjoined_ = false;
 }
 
+// A start or an end that is commanded at rest; nobody behind needs the move.
+bool RadiusCompensationPass::tells_only(const Move& move) const {
+  return policy_.starts_at_rest && !is_arc(move.mode) && move.start == move.end;
+}
+
 bool RadiusCompensationPass::passes_through(const Action& action) const {
   if (const Move* move = std::get_if<Move>(&action.what)) {
+    if (tells_only(*move)) return false;
     if (move->compensation.side == Side::none) return !from_rest_;
     return !policy_.starts_at_rest && !has_motion(move->plane, *move);
   }
@@ -55,7 +61,7 @@ void RadiusCompensationPass::push_while_off(const Action& action) {
   if (side && !has_motion(move->plane, *move) && policy_.starts_at_rest && !displaced_) {
     from_rest_ = true;
     at_rest_ = move->compensation;
-    out_.add_rejoined(action.origin, *move);
+    if (!tells_only(*move)) out_.add_rejoined(action.origin, *move);
   } else if (commanded && !is_arc(move->mode) && from_rest_) {
     start_from_rest(action, *move);
   } else if (commanded && !is_arc(move->mode)) {
@@ -64,7 +70,7 @@ void RadiusCompensationPass::push_while_off(const Action& action) {
     raise(
         policy_.start_with_arc, action.origin,
         FixedText<200>::format("The compensation starts with an arc of radius {:.3f} mm", move->arc.radius));
-  } else {
+  } else if (displaced_ || !tells_only(*move)) {
     out_.add_rejoined(action.origin, *move);
     displaced_ = false;
   }
@@ -78,7 +84,7 @@ void RadiusCompensationPass::push_move(const Action& action, const Move& move) {
   } else if (move.compensation.suspended) {
     return suspend(action, move);
   } else if (!moves && move.compensation.rule != VectorRule::computed) {
-    change_at_rest(move);
+    change_at_rest(action.origin, move);
   } else if (move.compensation.start != held_move().compensation.start && moves) {
     finish();
     return push_while_off(action);
@@ -156,13 +162,13 @@ void RadiusCompensationPass::start_from_rest(const Action& action, const Move& m
 }
 
 // A vector commanded without motion: the move before it ends there.
-void RadiusCompensationPass::change_at_rest(const Move& move) {
+void RadiusCompensationPass::change_at_rest(const Origin& origin, const Move& move) {
   const Vec2 to =
       held().segment.programmed.end + vector_of(move.compensation, left_offset(move.compensation));
   leave_before();
   if (state_ == State::settled) {
     if (distance(point(), to) > kNoLength)
-      out_.add_joint(held().action.origin, held_move(), with_point(out_.position(), plane_, to));
+      out_.add_joint(origin, held_move(), with_point(out_.position(), plane_, to));
   } else {
     leave_held_at(to);
   }

@@ -106,6 +106,7 @@ class RadiusCompensationPass {
   };
 
   bool is_idle() const { return state_ == State::off && !displaced_ && !after_alarm_; }
+  bool tells_only(const Move& move) const;
   bool passes_through(const Action& action) const;
   void push(const Action& action);
   void push_while_off(const Action& action);
@@ -115,7 +116,7 @@ class RadiusCompensationPass {
 
   void start(const Action& action, const Move& move);
   void start_from_rest(const Action& action, const Move& move);
-  void change_at_rest(const Move& move);
+  void change_at_rest(const Origin& origin, const Move& move);
   void suspend(const Action& action, const Move& move);
   void advance(const Action& action, const Move& move);
   [[gnu::hot]] bool advance_gently(const Action& action, const Move& move);

@@ -172,7 +172,8 @@ bool RadiusCompensationPass::before_keeps_clear(const OffsetSegment* next) const
     if (is_full_circle(own.programmed)) return true;
     // Where the contour begins the rules of the start say where the tool stands.
     const bool stands_in_it = !has_earlier_ && !keeps_clear(held().segment, straight(way.start, way.start));
-    if (has_before && !stands_in_it && !keeps_clear(held().segment, way)) return false;
+    const bool leads_into_it = is_full_circle(held().segment.programmed);
+    if (has_before && !stands_in_it && !leads_into_it && !keeps_clear(held().segment, way)) return false;
     if (has_earlier_ && earlier().segment.left_mm == own.left_mm && !keeps_clear(earlier().segment, way))
       return false;
   }
@@ -191,6 +192,7 @@ bool RadiusCompensationPass::held_keeps_clear(const Corner& corner) const {
   const PlanarSegment way = way_of(held().segment, corner.points[0]);
   if (!keeps_clear(held().segment, way)) return false;
   if (is_full_circle(held().segment.programmed)) return true;
+  if (is_full_circle(before_move().segment.programmed)) return true;
   const bool stands_in_it = !keeps_clear(before_move().segment, straight(way.end, way.end));
   return stands_in_it || !has_contour_before() || keeps_clear(before_move().segment, way);
 }
