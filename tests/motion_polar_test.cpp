@@ -198,6 +198,51 @@ TEST(MotionPolar, NearTheCentreTheRotaryAxisSetsThePace) {
   EXPECT_LE(taken, ideal * 1.3);
 }
 
+TEST(MotionPolar, AnArcAwayFromTheCentreComesBackToTheFeed) {
+  // A circle of radius 20 about (0, 20) that passes the centre of rotation at 0.00001 mm, from beside it. C
+  // turns at most 300 degrees/s.
+  const Machine machine = polar_machine();
+  PolarProgram program(0.02);
+  program.feed(1200.0).arc(0.0, 20.0, 80.0);
+  const Samples samples = play(machine, passed(program.actions()));
+  double ideal = 0.0;
+  constexpr int kSteps = 400'000;
+  const auto point_at = [](double part) {
+    return Vec2{0.0, 20.0} +
+           std::hypot(20.0, 0.02) * direction_at(-90.0 + degrees(0.02 / 20.0) + 80.0 * part);
+  };
+  for (int i = 0; i < kSteps; ++i) {
+    const Vec2 from = point_at(static_cast<double>(i) / kSteps);
+    const Vec2 to = point_at(static_cast<double>(i + 1) / kSteps);
+    const double turned = std::abs(shortest_turn_deg(angle_of_deg(to) - angle_of_deg(from)));
+    ideal += std::max(distance(from, to) / 20.0, turned / 300.0);
+  }
+  EXPECT_GE(samples.time_s, ideal * (1.0 - 1e-3));
+  EXPECT_LE(samples.time_s, ideal * 1.3 + 0.5);
+  EXPECT_NEAR(samples.cycles[samples.cycles.size() / 2].path_speed_mm_min, 1200.0, 1e-3);
+}
+
+TEST(MotionPolar, InTheCentreAHeightMoveTurnsNothing) {
+  for (const double x : {20.0, -20.0}) {
+    PolarProgram program(x, 5.0, 30.0);
+    program.to(0.0, 0.0).to(0.0, 0.0, -5.0).to(0.0, 0.0, 0.0).to(x, 0.0, 0.0);
+    const Samples samples = play(polar_machine(), passed(program.actions()));
+    ASSERT_GT(samples.cycles.size(), 100U);
+    for (const Cycle& cycle : samples.cycles)
+      ASSERT_NEAR(cycle.position[Axis::C], 30.0, 1e-9) << cycle.time_s;
+  }
+}
+
+TEST(MotionPolar, TheTurnInTheCentreIsAsFastAsTheAxisCan) {
+  // Half a turn at 100 degrees/s, not at 10 degrees/min; 40 mm at 10 mm/min.
+  Machine machine = motion_test::ideal_machine({Axis::X, Axis::Z, Axis::C});
+  machine.motion.feed_of_all_axes = true;
+  PolarProgram program(20.0);
+  program.feed(10.0).to(-20.0, 0.0);
+  const Samples samples = play(machine, passed(program.actions()));
+  EXPECT_NEAR(samples.time_s, 180.0 / 100.0 + 40.0 / 10.0 * 60.0, 1e-3);
+}
+
 TEST(MotionPolar, AnArcThatEndsInTheCentreBringsTheAxisToItsEnd) {
   // A circle of radius 10 about (10, 0), half around to the centre of rotation: C turns by 90 degrees,
   // evenly, and away from there along the tangent, which is no turn.

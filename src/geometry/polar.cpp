@@ -183,13 +183,10 @@ PolarRates polar_rates(const PlanarSegment& segment) {
   rates.turn = std::max(std::abs(at_near), std::abs(at_far));
   rates.least_turn = (at_near < 0.0) != (at_far < 0.0) ? 0.0 : std::min(std::abs(at_near), std::abs(at_far));
   rates.turn2 = away < kThroughOrigin ? 0.0 : std::abs(rest) / (radius * near * near * near);
-  double m = 0.0;
-  double bend = 0.0;
-  for (const double r : {near, far}) {
-    m = std::max(m, std::abs(r * r + rest));
-    bend = std::max(bend, std::abs(rest - r * r));
-  }
-  if (away >= kThroughOrigin) rates.radius2 = m * bend / (4.0 * radius * radius * near * near * near);
+  if (away < kThroughOrigin) return rates;
+  // Falls evenly with r, so its largest magnitude is at one of the ends.
+  const auto bend_at = [&](double r) { return rest / r * (rest / (r * r)) - r; };
+  rates.radius2 = std::max(std::abs(bend_at(near)), std::abs(bend_at(far))) / (4.0 * radius * radius);
   return rates;
 }
 

@@ -47,7 +47,8 @@ struct PolarRates {
 };
 
 /// On a line at the distance d from the origin: turn = d / r2. On a circle with m = r2 + R2 - c2: turn = m /
-/// (2 R r2), radius2 = m (m - 2 r2) / (4 R2 r3); both follow from r2 = c2 + R2 + 2 c . R u.
+/// (2 R r2), radius2 = m (m - 2 r2) / (4 R2 r3) = ((m - r2)2 / r3 - r) / (4 R2); both follow from r2 = c2 +
+/// R2 + 2 c . R u.
 PolarRates polar_rates(const PlanarSegment& segment);
 
 }  // namespace kerf

@@ -70,7 +70,8 @@ void set_line(PathSegment& segment, const Move& move, const AxisLimits& limits) 
   }
   const double inverse = 1.0 / segment.length;
   for (std::size_t i = 0; i < kAxisCount; ++i) segment.slope.values[i] = step.values[i] * inverse;
-  const double together = limits.feed_of_all_axes ? std::sqrt(sum) : segment.length_mm;
+  const bool all_axes = limits.feed_of_all_axes && !move.rotary_feed.active;
+  const double together = all_axes ? std::sqrt(sum) : segment.length_mm;
   set_feed(segment, move, feed_length(move, step, together, std::sqrt(sum)));
   segment.speed_limit =
       limit_along(segment.slope, segment.rapid ? limits.inverse_rapid : limits.inverse_feed);
@@ -205,6 +206,10 @@ void set_in_its_plane(PathSegment& segment, const Move& move, const AxisLimits& 
 
 void set_polar(PathSegment& segment, const Move& move, const AxisLimits& limits, double feed_now) {
   const Move flat = in_polar_plane(move);
+  // Without a way in the plane both axes stand, in the centre of rotation too, where they have no angle.
+  const auto stands = [&](Axis axis) { return flat.start[axis] == flat.end[axis]; };
+  if (!is_arc(flat.mode) && stands(move.polar.linear) && stands(move.polar.rotary))
+    return set_in_its_plane(segment, move, limits, feed_now);
   set_in_its_plane(segment, flat, without_polar_axes(limits, move.polar), feed_now);
   if (segment.length <= 0.0) return;
   const double second = flat.end[move.polar.rotary] - flat.start[move.polar.rotary];

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kMostTurn = 90.0;      // degrees
 constexpr double kRateSpread = 1.3;     // of the rotary axis's rate over a piece
+constexpr double kRadiusSpread = 2.0;   // where that rate changes; its change grows towards the centre
 constexpr double kSmallestPart = 1e-6;  // of the move
 constexpr double kShortest = 1e-5;      // mm
 
@@ -17,6 +18,7 @@ bool is_even(const PlanarSegment& piece) {
   const PolarRange range = polar_range(piece);
   if (range.greatest_turn_deg - range.least_turn_deg > kMostTurn) return false;
   const PolarRates rates = polar_rates(piece);
+  if (rates.turn2 > 0.0 && range.greatest_radius > kRadiusSpread * range.least_radius) return false;
   return rates.turn <= kRateSpread * rates.least_turn;
 }
 
