@@ -152,6 +152,17 @@ TEST(Compensation, JointsCarryTheMoveBefore) {
 }
 
 // DGS-300: no interference check; the tool cuts its way to the next corner backwards.
+// Drawings show what the tool sweeps on its way back to the programmed path.
+TEST(Compensation, TheMoveThatEndsItKnowsTheAmount) {
+  const Program program =
+      Program().to(0, 10).right(2).to(10, 10).to(20, 10).none().to(30, 10).to(40, 10).end();
+  std::vector<double> amounts;
+  for (const Action& action : compensated(program.actions())) {
+    if (const auto* move = std::get_if<Move>(&action.what)) amounts.push_back(move->compensation.amount);
+  }
+  EXPECT_EQ(amounts, (std::vector<double>{0.0, 2.0, 2.0, 2.0, 0.0}));
+}
+
 TEST(Compensation, SlotNarrowerThanTheToolIsExecuted) {
   EXPECT_EQ(compensated_path(left2().to(10, 0).to(30, 0).to(30, 1).to(10, 1)), "10,2 | 28,2 | 28,-1 | 10,-1");
 }

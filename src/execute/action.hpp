@@ -63,7 +63,8 @@ enum class VectorRule : std::uint8_t {
 /// Tool radius compensation as the block commands it; the compensation pass acts on it.
 struct RadiusCompensation {
   Side side = Side::none;
-  double amount = 0.0;      ///< mm; a negative amount exchanges the sides
+  double amount = 0.0;      ///< mm; a negative amount exchanges the sides. With no side, behind the toolpath:
+                            ///< that of the compensation which the move ends
   std::uint32_t start = 0;  ///< counts the starts: with another number a new compensation begins
   VectorRule rule = VectorRule::computed;
   bool suspended = false;  ///< this move alone goes to its programmed end

@@ -134,7 +134,7 @@ bool turns_clockwise(const Move& move, View view) {
 
 double swept_radius(const Move& move) {
   const bool cuts = move.mode != MoveMode::rapid;
-  return cuts && move.compensation.side != Side::none ? std::abs(move.compensation.amount) : 0.0;
+  return cuts ? std::abs(move.compensation.amount) : 0.0;
 }
 
 Point2 tool_direction(const Move& move, Axis axis, double fraction, View view) {

@@ -69,8 +69,8 @@ bool appears_round(const Move& move, View view);
 bool turns_clockwise(const Move& move, View view);
 
 /// How far the tool reaches to either side of its path in the plane of a cutting move with tool radius
-/// compensation in force, mm: the amount without its sign. Of any other move 0: its tool's radius is not
-/// known.
+/// compensation in force, or of the one that ends it, mm: the amount without its sign. Of any other move 0:
+/// its tool's radius is not known.
 double swept_radius(const Move& move);
 
 /// Where the tool points after a fraction (0 to 1) of a move under normal line control: a vector of length 1

@@ -265,7 +265,7 @@ void RadiusCompensationPass::end(const Action& action, const Move& move) {
   }
   release_waiting(direction);
   drop_corner_arc();
-  out_.add_move(action.origin, move);
+  out_.add_move(action.origin, move, move.end).compensation.amount = std::abs(left_mm_);
   turn_off(false);
 }
 

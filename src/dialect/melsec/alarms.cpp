@@ -259,8 +259,8 @@ constexpr std::array kCatalogue{
         "The tool is too large for the contour: with tool radius compensation it would cut into a "
         "neighbouring block.",
         "Use a smaller tool (tools.N.radius) or a wider contour. With melsec.work.interference_check = "
-        "\"avoid\" the controller goes round such places where it can, which is not here if that is set; "
-        "with \"invalid\" it checks nothing."},
+        "\"avoid\" the controller goes round such places where it finds a way; with \"invalid\" it checks "
+        "nothing."},
     AlarmKind{kProgram, "031FH", "No program No.",
               "There is no program with this number, or it was still being loaded at the cycle start.",
               "Correct the number, or store the program as O and three digits with the ending .gcd, for "

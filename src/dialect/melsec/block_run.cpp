@@ -26,8 +26,11 @@ bool BlockRun::run() {
   return program_code();
 }
 
-bool BlockRun::refuse(std::string_view detail, const SourceSpan& where, const FixedText<200>& message) {
-  return melsec::refuse(alarm, detail, where, message);
+bool BlockRun::refuse(std::string_view detail, const SourceSpan& where, const FixedText<200>& message,
+                      const FixedText<200>& remedy) {
+  melsec::refuse(alarm, detail, where, message);
+  alarm->remedy = remedy;
+  return false;
 }
 
 bool BlockRun::accept(const Word& word, const NumberResult& result, double& value) {

@@ -103,7 +103,8 @@ class BlockRun {
   char center_address(Axis axis) const;
 
   bool accept(const Word& word, const NumberResult& result, double& value);
-  bool refuse(std::string_view detail, const SourceSpan& where, const FixedText<200>& message = {});
+  bool refuse(std::string_view detail, const SourceSpan& where, const FixedText<200>& message = {},
+              const FixedText<200>& remedy = {});
   SourceSpan span(const Word& word) const { return span_of(block_, word); }
   SourceSpan span(Axis axis) const { return span(*words_.axis(axis).word); }
 

@@ -52,7 +52,9 @@ bool BlockRun::polar_stands_alone() {
   if (!words_.has(Group::polar)) return true;
   for (const Word& word : block_.words) {
     const bool may_stand = word.address == 'G' || word.address == 'N' || word.address == 'F';
-    if (!may_stand) return refuse("0306H", span_of(block_, word));
+    if (!may_stand)
+      return refuse("0306H", span_of(block_, word), "Beside G12.1 and G13.1 only F and N may stand.",
+                    "Write the other words in a block of their own.");
   }
   return true;
 }

@@ -212,7 +212,11 @@ bool BlockRun::arc_axes(Plane& plane) {
                                          letter(plane.first), letter(plane.second)));
   }
   for (const Axis axis : words_.axes()) {
-    if (axis != plane.first && axis != plane.second) return refuse("030AH", span(axis));
+    if (axis != plane.first && axis != plane.second)
+      return refuse(
+          "030AH", span(axis),
+          FixedText<200>::format("An arc code is in force, and {} is no axis of its plane.", letter(axis)),
+          "Write G00 or G01 for a straight move, or select the plane you mean with G17, G18 or G19.");
   }
   return true;
 }
