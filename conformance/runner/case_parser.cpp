@@ -28,9 +28,11 @@ bool is_variable(std::string_view text) {
 
 /// `sub O002`: the number of a further program; 0: it is none.
 std::int32_t program_of(std::string_view section) {
-  constexpr std::string_view kSub = "sub O";
+  constexpr std::string_view kSub = "sub ";
   if (!starts_with(section, kSub)) return 0;
-  return static_cast<std::int32_t>(number_of(section.substr(kSub.size())).value_or(0.0));
+  section.remove_prefix(kSub.size());
+  if (starts_with(section, "O")) section.remove_prefix(1);
+  return static_cast<std::int32_t>(number_of(section).value_or(0.0));
 }
 
 /// The first `$name` of a text; empty: none.
@@ -57,8 +59,9 @@ std::optional<Header> header_of(std::string_view line) {
 /// Reads the lines of one alternative of one case.
 class CaseParser {
  public:
-  CaseParser(const std::string& file, const std::vector<TextLine>& lines, Replacements replacements)
-      : lines_(lines), replacements_(std::move(replacements)) {
+  CaseParser(const std::string& file, const std::vector<TextLine>& lines, Replacements replacements,
+             const ProgramFrame& frame)
+      : lines_(lines), replacements_(std::move(replacements)), frame_(frame) {
     case_.file = file;
     case_.alternative = replacements_text(replacements_);
     case_.watched = default_watch();
@@ -100,13 +103,13 @@ class CaseParser {
       expects_ = false;
       ProgramSection& program = case_.programs.emplace_back();
       program.line = line;
-      if (is_body_) program.text = "%\n";
+      if (is_body_) program.text = frame_.head;
       return;
     }
     if (const std::int32_t number = program_of(name); number > 0 && !case_.programs.empty()) {
       section_ = Section::sub;
       sub_ = &case_.programs.back().others[number];
-      *sub_ = "%\n";
+      *sub_ = frame_.head;
       return;
     }
     if (name != "expect" && name != "after") return fail(line, fmt::format("unknown section '{}'", name));
@@ -118,8 +121,8 @@ class CaseParser {
   void close_program() {
     if (case_.programs.empty()) return;
     ProgramSection& program = case_.programs.back();
-    if (is_body_) program.text += "M02\n%\n";
-    for (auto& [number, text] : program.others) text += "%\n";
+    if (is_body_) program.text += frame_.tail;
+    for (auto& [number, text] : program.others) text += frame_.sub_tail;
     const bool can_fail =
         !program.expected.empty() || !program.facts.empty() || case_.watched != default_watch();
     if (!expects_ || !can_fail) fail(program.line, "the program has no expectation");
@@ -241,6 +244,7 @@ class CaseParser {
 
   const std::vector<TextLine>& lines_;
   Replacements replacements_;
+  const ProgramFrame& frame_;
   Case case_;
   std::vector<FileError> errors_;
   Section section_ = Section::header;
@@ -290,7 +294,8 @@ void join_continued(std::vector<TextLine>& lines) {
   lines = std::move(joined);
 }
 
-void parse_case(const std::string& file, std::vector<TextLine>& lines, CaseFile& result) {
+void parse_case(const std::string& file, std::vector<TextLine>& lines, const ProgramFrame& frame,
+                CaseFile& result) {
   if (lines.empty()) return;
   join_continued(lines);
   const std::size_t errors_before = result.errors.size();
@@ -302,7 +307,7 @@ void parse_case(const std::string& file, std::vector<TextLine>& lines, CaseFile&
   }
   if (result.errors.size() != errors_before) return;
   for (const Replacements& replacements : alternatives) {
-    CaseParser parser(file, lines, replacements);
+    CaseParser parser(file, lines, replacements, frame);
     parser.parse();
     if (parser.errors().empty()) {
       result.cases.push_back(parser.result());
@@ -316,12 +321,12 @@ void parse_case(const std::string& file, std::vector<TextLine>& lines, CaseFile&
 
 }  // namespace
 
-CaseFile parse_cases(const std::string& file, std::string_view text) {
+CaseFile parse_cases(const std::string& file, std::string_view text, const ProgramFrame& frame) {
   CaseFile result;
   std::vector<TextLine> lines;
   for (TextLine& line : lines_of(text)) {
     if (starts_with(line.text, kTitleMark)) {
-      parse_case(file, lines, result);
+      parse_case(file, lines, frame, result);
       lines.clear();
     } else if (lines.empty()) {
       if (!is_ignored(line.text)) result.errors.push_back({file, line.number, "text before the first ==="});
@@ -329,7 +334,7 @@ CaseFile parse_cases(const std::string& file, std::string_view text) {
     }
     lines.push_back(std::move(line));
   }
-  parse_case(file, lines, result);
+  parse_case(file, lines, frame, result);
   if (result.cases.empty() && result.errors.empty())
     result.errors.push_back({file, 0, "the file has no case"});
   return result;

@@ -15,6 +15,13 @@ struct CaseFile {
   std::vector<FileError> errors;  ///< in the order of their lines; a case with an error is left out
 };
 
-CaseFile parse_cases(const std::string& file, std::string_view text);
+/// What the runner puts around the blocks of a `body`, and of a `sub`.
+struct ProgramFrame {
+  std::string head = "%\n";
+  std::string tail = "M02\n%\n";
+  std::string sub_tail = "%\n";
+};
+
+CaseFile parse_cases(const std::string& file, std::string_view text, const ProgramFrame& frame = {});
 
 }  // namespace kerf::conformance

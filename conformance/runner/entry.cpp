@@ -22,7 +22,8 @@ struct Form {
                            ///< anything; empty: none
   std::size_t fewest_words;
   std::size_t most_words;
-  std::string_view numbers;  ///< keys of numbers, separated by blanks; `axes` any axis, `#` any integer
+  std::string_view numbers;  ///< keys of numbers, separated by blanks; `axes` any axis, `#` any integer,
+                             ///< `*` anything
   std::string_view texts;    ///< keys of words
 };
 
@@ -37,7 +38,7 @@ constexpr std::array kEvents{
     Form{"dwell", "", 0, 0, "s line n program", ""},
     Form{"spindle", "cw|ccw|off|orient", 1, 1, "rpm line n program", ""},
     Form{"tool", "#", 1, 1, "line n program", ""},
-    Form{"m", "#|-#", 1, 1, "line n program", ""},
+    Form{"m", "#|-#", 1, 1, "line n program A B C D E F G H", "timing"},
     Form{"stop", "optional", 0, 1, "line n program", ""},
     Form{"end", "", 0, 0, "line n program", ""},
     Form{"alarm", "*", 0, 1, "line column n program", ""},
@@ -61,6 +62,8 @@ constexpr std::array kFacts{
     Form{"program", "", 0, 0, "program", ""},
     Form{"n", "", 0, 0, "n", ""},
     Form{"#", "", 0, 0, "#", ""},
+    Form{"var", "", 0, 0, "*", ""},
+    Form{"ramps", "", 0, 0, "ta td ts", ""},
     Form{"time", "", 0, 0, "time", ""},
     Form{"motion_time", "", 0, 0, "motion_time", ""},
     Form{"at", "", 0, 0, "t axes", ""},
@@ -87,7 +90,8 @@ bool is_axis(std::string_view text) {
 
 bool allows_key(std::string_view allowed, std::string_view key) {
   for (const std::string& item : words_of(allowed)) {
-    if (item == key || (item == "axes" && is_axis(key)) || (item == "#" && is_integer(key))) return true;
+    if (item == "*" || item == key) return true;
+    if ((item == "axes" && is_axis(key)) || (item == "#" && is_integer(key))) return true;
     const std::size_t axes = item.find("-axes");
     if (axes == std::string::npos || axes == 0) continue;
     const std::string_view prefix = std::string_view(item).substr(0, axes);
@@ -160,12 +164,13 @@ tl::expected<Entry, std::string> parse_entry(std::string_view text, std::uint32_
         entry.words.push_back(word);
       continue;
     }
-    const bool variable = word[0] == '#';
-    const std::string key = word.substr(variable ? 1 : 0, equals - (variable ? 1 : 0));
+    const bool numbered = word[0] == '#';
+    const bool variable = numbered || entry.name == "var";
+    const std::string key = word.substr(numbered ? 1 : 0, equals - (numbered ? 1 : 0));
     const std::string value = word.substr(equals + 1);
     if (key.empty() || value.empty()) return tl::unexpected(fmt::format("'{}' is no KEY=VALUE", word));
     if (entry.find(key) != nullptr) return tl::unexpected(fmt::format("'{}' is given twice", key));
-    if (entry.name.empty()) entry.name = variable ? "#" : key;
+    if (entry.name.empty()) entry.name = numbered ? "#" : key;
     const std::optional<double> number = number_of(value);
     std::optional<double> tolerance;
     if (variable) tolerance = tolerance_as_written(value);

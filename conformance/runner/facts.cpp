@@ -63,7 +63,7 @@ class Inspector {
       add_offset(fact, found);
     else if (fact.name == "modal")
       add_modal(found);
-    else if (fact.name == "#")
+    else if (fact.name == "#" || fact.name == "var")
       add_variables(fact, found);
     else if (!add_position(found) && !add_tables(found))
       add_number(found);
@@ -105,6 +105,11 @@ class Inspector {
     if (found.name == "tool") add("tool", registers().tool);
     if (found.name == "program") add("program", registers().program);
     if (found.name == "n") add("n", registers().sequence_number);
+    if (found.name == "ramps") {
+      add("ta", registers().ramps.acceleration);
+      add("td", registers().ramps.deceleration);
+      add("ts", registers().ramps.jerk);
+    }
     if (found.name == "time") add("time", planned_.time_s);
     if (found.name == "motion_time") add("motion_time", planned_.motion_s);
   }
@@ -134,7 +139,10 @@ class Inspector {
 
   void add_variables(const Entry& fact, Entry& found) const {
     for (const Field& field : fact.fields) {
-      const double* value = run_.state.variables.find(std::atof(field.key.c_str()));
+      const auto number = fact.name == "var" ? controller_.dialect->variable_number(field.key)
+                                             : std::optional<std::int64_t>(std::atoi(field.key.c_str()));
+      if (!number) continue;
+      const double* value = run_.state.variables.find(static_cast<double>(*number));
       if (value != nullptr) found.fields.push_back({field.key, *value});
     }
   }

@@ -57,6 +57,13 @@ std::vector<std::string> machine_of(const fs::path& folder) {
   return settings;
 }
 
+/// The frame of a dialect's programs: where its folder has a file `last_block`, they have no more around them
+/// than that behind a body; elsewhere the % lines of ISO 6983.
+ProgramFrame frame_of(const fs::path& folder) {
+  const auto last_block = read_file((folder / "last_block").string());
+  return last_block ? ProgramFrame{"", *last_block, ""} : ProgramFrame{};
+}
+
 Suite read_suite(const fs::path& directory) {
   Suite suite;
   const auto fail = [&](const FileError& error) { suite.errors.push_back(error); };
@@ -76,7 +83,7 @@ Suite read_suite(const fs::path& directory) {
   }
   for (const std::string& file : files_below(directory / "cases", ".case")) {
     const std::string dialect = fs::relative(file, directory / "cases").begin()->string();
-    CaseFile cases = parse_cases(file, read_file(file).value_or(""));
+    CaseFile cases = parse_cases(file, read_file(file).value_or(""), frame_of(directory / "cases" / dialect));
     const std::vector<std::string> machine = machine_of(directory / "cases" / dialect);
     for (Case& test : cases.cases) {
       test.settings.insert(test.settings.begin(), machine.begin(), machine.end());

@@ -73,6 +73,12 @@ struct Describe {
   bool operator()(const Auxiliary& auxiliary) const {
     event.name = "m";
     event.words.push_back(std::to_string(auxiliary.code));
+    for (std::size_t i = 0; i < Auxiliary::kArguments; ++i) {
+      if ((auxiliary.given >> i & 1U) == 0) continue;
+      event.fields.push_back({std::string(1, static_cast<char>('A' + i)), auxiliary.arguments[i]});
+    }
+    constexpr std::array kTimings{"synchronous", "immediate", "with-next-move"};
+    event.fields.push_back({"timing", std::string(kTimings[static_cast<std::size_t>(auxiliary.timing)])});
     return true;
   }
   bool operator()(const Spindle& spindle) const {

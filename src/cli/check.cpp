@@ -208,8 +208,11 @@ bool collect_work(const CheckOptions& options, std::vector<Work>& work) {
 bool machine_is_good(const CheckOptions& options, const std::vector<Work>& work) {
   std::set<const Dialect*> seen;
   return std::all_of(work.begin(), work.end(), [&](const Work& item) {
-    return !seen.insert(&detect_dialect(item.file)).second ||
-           prepare_controller(options.common, item.file).has_value();
+    std::error_code ignored;
+    const bool regular = std::filesystem::is_regular_file(item.file, ignored);
+    const std::string text = regular ? beginning_of(item.file) : std::string();
+    return !seen.insert(&detect_dialect(item.file, text)).second ||
+           prepare_controller(options.common, item.file, text).has_value();
   });
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fstream>
 #include <unistd.h>
 
 #include "machine/settings_file.hpp"
@@ -31,14 +32,14 @@ bool read_machine_file(const CommonOptions& options, SetupOptions& setup) {
   return true;
 }
 
-std::optional<Controller> make(const CommonOptions& options, std::string_view name) {
+std::optional<Controller> make(const CommonOptions& options, std::string_view name, std::string_view text) {
   SetupOptions setup;
   setup.dialect = options.dialect;
   setup.assignments = options.assignments;
   setup.optional_stop = options.optional_stop;
   setup.block_skip = options.block_skip;
   if (!read_machine_file(options, setup)) return std::nullopt;
-  auto controller = make_controller(setup, name);
+  auto controller = make_controller(setup, name, text);
   if (!controller) {
     for (const SettingsError& error : controller.error()) print_error(error_text(error));
     return std::nullopt;
@@ -58,15 +59,19 @@ std::optional<std::string> not_a_program(const Source& source) {
   return std::nullopt;
 }
 
-/// The other programs of the store: O001.gcd to O256.gcd in the folder.
-ProgramTexts programs_in(const std::filesystem::path& folder) {
-  return [folder](std::int32_t number) -> ProgramText {
-    const std::filesystem::path file = folder / fmt::format("O{:03}.gcd", number);
-    std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored)) return {};
-    auto source = Source::open(file.string());
-    const bool good = source && (*source)->text().find('\0') == std::string_view::npos;
-    return good ? ProgramText{*source} : ProgramText{Source::from_text(file.string(), ""), true};
+/// The other programs of the store in the folder, under the names that the dialect gives them.
+ProgramTexts programs_in(const std::filesystem::path& folder, const Dialect& dialect) {
+  if (dialect.file_names == nullptr) return [](std::int32_t) { return ProgramText{}; };
+  return [folder, &dialect](std::int32_t number) -> ProgramText {
+    for (const std::string& name : dialect.file_names(number)) {
+      const std::filesystem::path file = folder / name;
+      std::error_code ignored;
+      if (!std::filesystem::exists(file, ignored)) continue;
+      auto source = Source::open(file.string());
+      const bool good = source && (*source)->text().find('\0') == std::string_view::npos;
+      return good ? ProgramText{*source} : ProgramText{Source::from_text(file.string(), ""), true};
+    }
+    return {};
   };
 }
 
@@ -87,11 +92,12 @@ std::optional<Prepared> prepare(const std::string& file, const CommonOptions& op
   auto source = Source::open(file);
   if (!source) return refuse(source.error().message, source.error().remedy);
   if (const auto fault = not_a_program(**source)) return refuse(*fault, "name a text file with NC code");
-  auto controller = make(options, file);
+  auto controller = make(options, file, (*source)->text());
   if (!controller) return std::nullopt;
   controller->interpreter_options.programs =
       programs_in(options.program_dir ? std::filesystem::path(*options.program_dir)
-                                      : std::filesystem::path(file).parent_path());
+                                      : std::filesystem::path(file).parent_path(),
+                  *controller->dialect);
   if (options.verbose) {
     fmt::print(stderr, "kerf: {} as {} on machine '{}'\n", file, controller->dialect->title,
                controller->machine.name);
@@ -99,8 +105,17 @@ std::optional<Prepared> prepare(const std::string& file, const CommonOptions& op
   return Prepared{std::move(*source), std::move(*controller)};
 }
 
-std::optional<Controller> prepare_controller(const CommonOptions& options, std::string_view program) {
-  return make(options, program);
+std::optional<Controller> prepare_controller(const CommonOptions& options, std::string_view program,
+                                             std::string_view text) {
+  return make(options, program, text);
+}
+
+std::string beginning_of(const std::string& file) {
+  std::string text(kHead, '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
+  return text;
 }
 
 void print_alarm(const Action& action, const Job& job, const CommonOptions& options) {

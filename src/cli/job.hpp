@@ -55,8 +55,13 @@ struct Prepared {
 std::optional<Prepared> prepare(const std::string& file, const CommonOptions& options,
                                 std::string* why = nullptr);
 
-/// The controller alone: for commands without a program, or the one that a program of that name gets.
-std::optional<Controller> prepare_controller(const CommonOptions& options, std::string_view program = {});
+/// The controller alone: for commands without a program, or the one that a program of that name and that
+/// beginning gets.
+std::optional<Controller> prepare_controller(const CommonOptions& options, std::string_view program = {},
+                                             std::string_view text = {});
+
+/// What a file begins with, enough to tell its dialect; empty when it cannot be read.
+std::string beginning_of(const std::string& file);
 
 /// Prints an alarm or a warning on standard error when the action is one, with the text of the program it
 /// came from.

@@ -3,7 +3,9 @@
 // fills in one of these and one line in registry.cpp.
 
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -40,6 +42,14 @@ struct Dialect {
   std::uint64_t store_bytes = 0;                            ///< of all its programs in one store; 0: no limit
   const AlarmKind* store_over = nullptr;                    ///< they are larger; must be given with a limit
 
+  /// Names that the file of a further program may have, by its number, the first one that exists counts;
+  /// null: it has no further programs.
+  std::vector<std::string> (*file_names)(std::int32_t number) = nullptr;
+  /// The number of a variable (MacroVariables) by the name that programs give it; null: it has none.
+  std::optional<std::int64_t> (*variable_number)(std::string_view name) = nullptr;
+  /// Whether a text is a program of it, judged by how it begins; null: any may be.
+  bool (*recognises)(std::string_view text) = nullptr;
+
   /// Sets the defaults that follow from other settings, once these are all known; null: there are none.
   void (*complete)(Settings&) = nullptr;
   /// Whether a program is meant to be called by others and not to run by itself; null: none is.
@@ -63,8 +73,8 @@ std::span<const Dialect> dialects();
 const Dialect* find_dialect(std::string_view name);
 
 /// The dialect a program is written in, judged by the extension of its name in any case; without one that
-/// tells, the first dialect that has none, whose alarms say what is wrong with a text that is no program.
-const Dialect& detect_dialect(std::string_view file_name);
+/// tells, by how its text begins.
+const Dialect& detect_dialect(std::string_view file_name, std::string_view text);
 
 /// Every machine-file key of a dialect.
 Schema schema_of(const Dialect& dialect);

@@ -7,13 +7,11 @@
 #include "dialect/dgshape/dialect.hpp"
 #include "dialect/dialect.hpp"
 #include "dialect/melsec/dialect.hpp"
+#include "dialect/omron/dialect.hpp"
 #include "machine/common_parameters.hpp"
 
 namespace kerf {
 namespace {
-
-/// Controllers that a machine file may describe before kerf has their dialect.
-constexpr std::array<std::string_view, 1> kPlanned{"omron"};
 
 /// The machine-file sections of all other dialects.
 std::span<const std::string_view> sections_beside(std::string_view name) {
@@ -21,7 +19,6 @@ std::span<const std::string_view> sections_beside(std::string_view name) {
     std::map<std::string_view, std::vector<std::string_view>> beside;
     for (const Dialect& own : dialects()) {
       std::vector<std::string_view>& others = beside[own.name];
-      others.assign(kPlanned.begin(), kPlanned.end());
       for (const Dialect& other : dialects()) {
         if (other.name != own.name) others.push_back(other.name);
       }
@@ -57,7 +54,8 @@ std::span<const Parameter> shared_parameters_of(std::string_view name) {
 }  // namespace
 
 std::span<const Dialect> dialects() {
-  static const std::array<Dialect, 2> kDialects{dgshape::dialect(), melsec::dialect()};
+  // The last one takes every text that no other one does.
+  static const std::array<Dialect, 3> kDialects{dgshape::dialect(), melsec::dialect(), omron::dialect()};
   return kDialects;
 }
 
@@ -67,7 +65,7 @@ const Dialect* find_dialect(std::string_view name) {
   return found == all.end() ? nullptr : &*found;
 }
 
-const Dialect& detect_dialect(std::string_view file_name) {
+const Dialect& detect_dialect(std::string_view file_name, std::string_view text) {
   const auto all = dialects();
   std::string name(file_name);
   std::transform(name.begin(), name.end(), name.begin(),
@@ -76,7 +74,9 @@ const Dialect& detect_dialect(std::string_view file_name) {
     return !d.file_extension.empty() && name.ends_with(d.file_extension);
   });
   if (named != all.end()) return *named;
-  return *std::find_if(all.begin(), all.end(), [](const Dialect& d) { return d.file_extension.empty(); });
+  return *std::find_if(all.begin(), all.end(), [text](const Dialect& d) {
+    return d.file_extension.empty() && (d.recognises == nullptr || d.recognises(text));
+  });
 }
 
 Schema schema_of(const Dialect& dialect) {

@@ -20,7 +20,8 @@ SettingsError unknown_dialect(std::string_view name, const ValueOrigin& place) {
 }
 
 tl::expected<const Dialect*, SettingsError> choose_dialect(const SetupOptions& options,
-                                                           std::string_view program_name) {
+                                                           std::string_view program_name,
+                                                           std::string_view program_text) {
   std::optional<std::string> name = options.dialect;
   ValueOrigin place;
   place.file = "--dialect";
@@ -30,7 +31,7 @@ tl::expected<const Dialect*, SettingsError> choose_dialect(const SetupOptions& o
       place = std::move(said->place);
     }
   }
-  if (!name) return &detect_dialect(program_name);
+  if (!name) return &detect_dialect(program_name, program_text);
   const Dialect* found = find_dialect(*name);
   if (found == nullptr) return tl::unexpected(unknown_dialect(*name, place));
   return found;
@@ -39,8 +40,9 @@ tl::expected<const Dialect*, SettingsError> choose_dialect(const SetupOptions& o
 }  // namespace
 
 tl::expected<Controller, std::vector<SettingsError>> make_controller(const SetupOptions& options,
-                                                                     std::string_view program_name) {
-  const auto dialect = choose_dialect(options, program_name);
+                                                                     std::string_view program_name,
+                                                                     std::string_view program_text) {
+  const auto dialect = choose_dialect(options, program_name, program_text);
   if (!dialect) return tl::unexpected(std::vector{dialect.error()});
   Settings settings = Settings::defaults(schema_of(**dialect));
   std::vector<SettingsError> errors;

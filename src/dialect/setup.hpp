@@ -33,8 +33,10 @@ struct Controller {
   InterpreterOptions interpreter_options;
 };
 
-/// Errors are those of the machine file and the assignments, all in one pass.
+/// The program decides on the dialect where nothing else does; of its text the beginning is enough. Errors
+/// are those of the machine file and the assignments, all in one pass.
 tl::expected<Controller, std::vector<SettingsError>> make_controller(const SetupOptions& options,
-                                                                     std::string_view program_name = {});
+                                                                     std::string_view program_name = {},
+                                                                     std::string_view program_text = {});
 
 }  // namespace kerf

@@ -156,9 +156,20 @@ struct Dwell {
   double seconds = 0.0;
 };
 
+/// When the output of an M code is switched on (OMRON manual chapter 3, M Code Output Timing).
+enum class OutputTiming : std::uint8_t {
+  synchronous,     ///< behind the movement; the program waits until it is reset
+  immediate,       ///< when the block is interpreted
+  with_next_move,  ///< when the next move begins; the program does not wait
+};
+
 /// An M code that is handed to the machine as it is.
 struct Auxiliary {
+  static constexpr std::size_t kArguments = 8;
   std::int32_t code = 0;
+  OutputTiming timing = OutputTiming::synchronous;
+  std::uint8_t given = 0;                      ///< bit i: `arguments[i]` was written
+  std::array<double, kArguments> arguments{};  ///< in the order of the alphabet: A to H
 };
 
 enum class SpindleDirection : std::uint8_t { off, clockwise, counterclockwise, orient };

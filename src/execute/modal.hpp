@@ -24,9 +24,11 @@ enum class Group : std::uint8_t {
   normal_line,
   rotation,
   polar,
+  mirror,
+  multi_block,  ///< acceleration and deceleration over several blocks
 };
 
-inline constexpr std::size_t kGroupCount = 16;
+inline constexpr std::size_t kGroupCount = 18;
 
 /// Ten times the number of a code, so that G40.1 is 401.
 using CodeNumber = std::uint16_t;

@@ -173,6 +173,7 @@ ProgramFlow::Step ProgramFlow::fill(const Statement& statement, Block& block,
   const CompiledProgram& text = program();
   block.span = statement.span;
   block.skip_mark = false;
+  block.skip_number = statement.skip_number;
   block.words.clear();
   for (std::uint32_t i = 0; i < statement.word_count; ++i) {
     Word& word = block.words.push_back(text.words[statement.first_word + i]);

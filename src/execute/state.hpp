@@ -58,6 +58,16 @@ struct PolarMode {
   AxisVector length;   ///< tool length offset to go on with behind it
 };
 
+/// Mirroring and enlargement of each axis by itself, in this order, about machine coordinates without length
+/// offset. The rotation comes behind.
+struct AxisTransformation {
+  AxisSet mirrored;
+  AxisVector mirrors;  ///< of mirrored axes: where the mirror stands
+  bool scaled = false;
+  AxisVector magnification;  ///< of every axis while scaled, never 0; below 0 it mirrors as well
+  AxisVector center;         ///< of the enlargement
+};
+
 /// What lies between the programmed position and the axes where it is more than an offset of Z: kept by
 /// dialects that turn coordinates and offset the tool's length along any axis.
 struct Placement {
@@ -65,10 +75,18 @@ struct Placement {
   AxisVector length;        ///< mm, the tool length offset in force
   AxisVector length_taken;  ///< mm, the part of `machine` that is tool length offset
   AxisSet length_left_out;  ///< axes whose last move in machine coordinates took them back from it
+  AxisTransformation transformation;
   PlaneRotation rotation;
   PolarMode polar;
   bool absolute_wanted = false;  ///< the next move must be absolute, because the rotation has changed
   bool rest_wanted = false;      ///< the next move begins from rest
+};
+
+/// How long a program wants its speed changes to take, ms.
+struct RampTimes {
+  double acceleration = 0.0;
+  double deceleration = 0.0;
+  double jerk = 0.0;
 };
 
 /// What a block may change. Small, so that a block works on a copy and the copy replaces the original only
@@ -84,7 +102,8 @@ struct Registers {
   AxisVector midpoint;    ///< of the reference-point return, machine coordinates
   AxisSet midpoint_axes;  ///< axes whose midpoint was ever given
   CycleWords cycle;
-  double feed = 0.0;                ///< programmed mm/min
+  double feed = 0.0;  ///< programmed mm/min
+  RampTimes ramps;
   double spindle_rpm = 0.0;         ///< the S register: programmed speed before limits and override
   std::int32_t tool = 0;            ///< held; 0: none
   std::int32_t radius_number = -1;  ///< D in force; -1: never given

@@ -26,7 +26,14 @@ struct Describer {
   std::string operator()(const Dwell& dwell) const {
     return "dwell " + rounded_text(dwell.seconds, 3) + " s";
   }
-  std::string operator()(const Auxiliary& auxiliary) const { return fmt::format("M{}", auxiliary.code); }
+  std::string operator()(const Auxiliary& auxiliary) const {
+    std::string text = fmt::format("M{}", auxiliary.code);
+    for (std::size_t i = 0; i < Auxiliary::kArguments; ++i) {
+      if ((auxiliary.given >> i & 1U) == 0) continue;
+      text += fmt::format(" {}{}", static_cast<char>('A' + i), rounded_text(auxiliary.arguments[i], 4));
+    }
+    return text;
+  }
   std::string operator()(const Spindle& spindle) const {
     switch (spindle.direction) {
       case SpindleDirection::off:

@@ -85,10 +85,27 @@ void write_event(const Origin& origin, const Dwell& dwell, std::string& out) {
   close_with_line(origin, out);
 }
 
+void append_arguments(const Auxiliary& auxiliary, std::string& out) {
+  if (auxiliary.given == 0) return;
+  char separator = '{';
+  out += ",\"args\":";
+  for (std::size_t i = 0; i < Auxiliary::kArguments; ++i) {
+    if ((auxiliary.given >> i & 1U) == 0) continue;
+    out += separator;
+    out += '"';
+    out += static_cast<char>('A' + i);
+    out += "\":";
+    append_number(out, auxiliary.arguments[i]);
+    separator = ',';
+  }
+  out += '}';
+}
+
 void write_event(const Origin& origin, const Auxiliary& auxiliary, std::string& out) {
   out += "{\"event\":\"m\",\"codes\":[";
   append_integer(out, auxiliary.code);
   out += ']';
+  append_arguments(auxiliary, out);
   close_with_line(origin, out);
 }
 

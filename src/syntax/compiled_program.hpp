@@ -40,6 +40,7 @@ struct Statement {
   StatementIndex jump = kNoStatement;
   std::uint32_t first_word = 0;
   std::uint32_t word_count = 0;
+  std::uint8_t skip_number = 0;  ///< see Block
   ExpressionRef condition;
   ExpressionRef target;
   ExpressionRef value;

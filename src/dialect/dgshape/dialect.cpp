@@ -51,6 +51,18 @@ ToolpathPolicy toolpath_policy(const Settings& settings) {
 
 }  // namespace
 
+namespace {
+
+/// Nothing at all counts as well: a program that is still to be named.
+bool begins_with_data_mark(std::string_view text) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first == std::string_view::npos || text[first] == '%';
+}
+
+}  // namespace
+
 Dialect dialect() {
   Dialect d;
   d.name = "dgshape";
@@ -61,6 +73,7 @@ Dialect dialect() {
   d.defaults = default_machine();
   d.optional_stop_key = "dgshape.optional_stop";
   d.block_skip_key = "dgshape.block_skip";
+  d.recognises = begins_with_data_mark;
   d.contradictions = contradictions;
   d.rules = make_rules;
   d.feed_policy = feed_policy;

@@ -1,5 +1,7 @@
 #include "dialect/melsec/dialect.hpp"
 
+#include <fmt/format.h>
+
 #include "dialect/melsec/alarms.hpp"
 #include "dialect/melsec/codes.hpp"
 #include "dialect/melsec/compile.hpp"
@@ -91,6 +93,7 @@ Dialect dialect() {
   d.key_alarms = key_alarms();
   d.shared_names = shared_names();
   d.store_names = "O001.gcd to O256.gcd";
+  d.file_names = [](std::int32_t number) { return std::vector{fmt::format("O{:03}.gcd", number)}; };
   d.is_stored = [](std::string_view file_name) { return stored_number(file_name).has_value(); };
   d.store_bytes = kLargestStore;
   d.store_over = &alarm_kind("0041H");

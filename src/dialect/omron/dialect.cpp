@@ -1,0 +1,84 @@
+#include "dialect/omron/dialect.hpp"
+
+#include <fmt/format.h>
+
+#include "dialect/omron/alarms.hpp"
+#include "dialect/omron/codes.hpp"
+#include "dialect/omron/compile.hpp"
+#include "dialect/omron/rules.hpp"
+#include "dialect/omron/settings.hpp"
+#include "dialect/omron/variables.hpp"
+#include "machine/contradictions.hpp"
+
+namespace kerf::omron {
+namespace {
+
+std::shared_ptr<const BlockRules> make_rules(const Settings& settings, const Machine& machine) {
+  return std::make_shared<const Rules>(controller_settings(settings, machine), machine);
+}
+
+/// Up to version 1.01 rapid positioning runs at the greatest velocity of each motor.
+void complete_machine(const Settings& settings, Machine& machine) {
+  if (settings.text("omron.cnc_version") == "1.02") return;
+  for (const Axis axis : machine.axes) {
+    AxisSettings& own = machine.axis[index(axis)];
+    own.rapid = own.max_feed;
+  }
+}
+
+std::vector<SettingsError> contradictions(const Settings& settings) {
+  std::vector<SettingsError> errors;
+  const auto check = [&](std::string_view key, int least, int greatest) {
+    if (numbers_in(settings.text(key), least, greatest)) return;
+    errors.push_back(error_at(*settings.find(key),
+                              fmt::format("'{}' is no list of numbers from {} to {}", key, least, greatest),
+                              "write numbers and ranges with blanks between them, for example \"1 3 5-7\""));
+  };
+  check("omron.block_skip", 1, 31);
+  check("omron.immediate_m_codes", 0, kMCodes - 1);
+  check("omron.not_waiting_m_codes", 0, kMCodes - 1);
+  return errors;
+}
+
+ToolpathPolicy toolpath_policy(const Settings&) {
+  ToolpathPolicy policy;
+  // Compensation codes are refused as not executed, so that none of these can be raised yet.
+  policy.compensation.start_with_arc = &alarm_kind("not-executed");
+  policy.compensation.end_with_arc = &alarm_kind("not-executed");
+  policy.compensation.inner_arc_radius = &alarm_kind("not-executed");
+  policy.compensation.no_crossover = &alarm_kind("not-executed");
+  policy.compensation.side_change = &alarm_kind("not-executed");
+  policy.compensation.corner_arc_outside = &alarm_kind("not-executed");
+  policy.limits = {&alarm_kind("over-travel"), false};
+  return policy;
+}
+
+/// 1000.nc, or P1000.nc.
+std::vector<std::string> file_names(std::int32_t number) {
+  return {fmt::format("{}.nc", number), fmt::format("P{}.nc", number)};
+}
+
+}  // namespace
+
+Dialect dialect() {
+  Dialect d;
+  d.name = "omron";
+  d.title = "OMRON NJ/NY NC Integrated Controller";
+  d.alarms = alarm_catalogue();
+  d.codes = code_table();
+  d.parameters = parameters();
+  d.not_shared = keys_not_shared();
+  d.defaults = default_machine();
+  d.optional_stop_key = "omron.optional_stop";
+  d.block_skip_key = "omron.all_block_skips";
+  d.file_names = file_names;
+  d.variable_number = variable_named;
+  d.complete_machine = complete_machine;
+  d.contradictions = contradictions;
+  d.rules = make_rules;
+  d.feed_policy = [](const Settings&) { return FeedPolicy{}; };
+  d.toolpath_policy = toolpath_policy;
+  return d;
+}
+
+}  // namespace kerf::omron

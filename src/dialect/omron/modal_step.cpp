@@ -1,0 +1,178 @@
+// Modal G codes.
+
+#include <algorithm>
+#include <cmath>
+
+#include "dialect/omron/block_run.hpp"
+
+namespace kerf::omron {
+
+bool BlockRun::modal() {
+  if (words_.has(Group::unit)) registers.modal.set(Group::unit, words_[Group::unit]);
+  if (!plane()) return false;
+  for (const Group group : {Group::motion, Group::distance, Group::path_mode, Group::return_level,
+                            Group::fixed_cycle, Group::radius_compensation}) {
+    if (words_.has(group)) registers.modal.set(group, words_[group]);
+  }
+  return work_system() && transformations() && length_offset() && parameter_set();
+}
+
+Plane BlockRun::plane_in_force() const {
+  switch (registers.modal[Group::plane]) {
+    case code(18):
+      return kPlaneZX;
+    case code(19):
+      return kPlaneYZ;
+    default:
+      return kPlaneXY;
+  }
+}
+
+bool BlockRun::plane() {
+  if (!words_.has(Group::plane)) return true;
+  const CodeNumber wanted = words_[Group::plane];
+  if (registers.placement.rotation.active && wanted != registers.modal[Group::plane])
+    return refuse("rotation-plane", span(words_.word(Group::plane)));
+  registers.modal.set(Group::plane, wanted);
+  // From version 1.02 on the axis of the tool offset would change with the plane.
+  const bool offset = registers.placement.length != AxisVector{};
+  if (settings_.version_1_02 && offset) {
+    registers.placement.length = {};
+    registers.modal.set(Group::length_compensation, code(49));
+  }
+  return true;
+}
+
+/// Selecting a work coordinate system moves nothing and ends mirroring, scaling and rotation.
+bool BlockRun::work_system() {
+  if (!words_.has(Group::work_system)) return true;
+  registers.modal.set(Group::work_system, words_[Group::work_system]);
+  release_transformations(registers);
+  stand_at(registers.placement.machine);
+  return true;
+}
+
+bool BlockRun::transformations() {
+  int wanting = words_.has(Group::one_shot) ? 1 : 0;
+  const Word* last = nullptr;
+  const auto want = [&](Group group, CodeNumber on) {
+    if (words_[group] != on) return;
+    ++wanting;
+    last = &words_.word(group);
+  };
+  want(Group::scaling, code(51));
+  want(Group::mirror, code(51, 1));
+  want(Group::rotation, code(68));
+  if (wanting > 1 && last != nullptr) return refuse("conflicting-codes", span(*last));
+  if (!words_.has(Group::scaling) && !words_.has(Group::mirror) && !words_.has(Group::rotation)) return true;
+  if (!scaling() || !mirroring() || !rotation()) return false;
+  // Nothing moves: the program's position is that of where the axes stand.
+  stand_at(registers.placement.machine);
+  return true;
+}
+
+/// The words X, Y and Z as absolute positions in the current coordinate system; those left out stay where the
+/// axis stands.
+bool BlockRun::center_words(AxisVector& center, AxisSet* named) {
+  const AxisVector origin = workpiece_origin(registers, tables_);
+  center = registers.position;
+  for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) {
+    if (take(letter(axis)) == nullptr) continue;
+    double value = 0.0;
+    if (!axis_value(axis, value)) return false;
+    center[axis] = origin[axis] + value;
+    if (named != nullptr) named->insert(axis);
+  }
+  return true;
+}
+
+bool BlockRun::scaling() {
+  if (!words_.has(Group::scaling)) return true;
+  AxisTransformation& change = registers.placement.transformation;
+  registers.modal.set(Group::scaling, words_[Group::scaling]);
+  change.scaled = words_[Group::scaling] == code(51);
+  return !change.scaled || (center_words(change.center, nullptr) && magnifications(change));
+}
+
+bool BlockRun::magnifications(AxisTransformation& change) {
+  constexpr double kLeast = 0.00001;
+  constexpr double kGreatest = 10000.0;
+  std::fill(change.magnification.values.begin(), change.magnification.values.end(), 1.0);
+  const Word* all = take('P');
+  double common = 1.0;
+  if (all != nullptr && !value(*all, kLeast, kGreatest, common)) return false;
+  for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) {
+    const char address = static_cast<char>('I' + index(axis));
+    const Word* own = take(address);
+    double factor = 1.0;
+    if (own != nullptr) {
+      if (!value(*own, -kGreatest, kGreatest, factor)) return false;
+      if (std::abs(factor) < kLeast) return refuse("value-range", span(*own));
+    }
+    change.magnification[axis] = all != nullptr ? common : factor;
+  }
+  return true;
+}
+
+bool BlockRun::mirroring() {
+  if (!words_.has(Group::mirror)) return true;
+  AxisTransformation& change = registers.placement.transformation;
+  AxisVector mirrors;
+  AxisSet named;
+  if (!center_words(mirrors, &named)) return false;
+  const bool on = words_[Group::mirror] == code(51, 1);
+  if (!on) {
+    // G50.1 alone ends the mirroring of all axes, with words that of the axes named.
+    for (const Axis axis : named) change.mirrored.erase(axis);
+    if (named.empty()) change.mirrored = {};
+  } else {
+    change.mirrored = named;
+    change.mirrors = mirrors;
+  }
+  registers.modal.set(Group::mirror, on || !change.mirrored.empty() ? code(51, 1) : code(50, 1));
+  return true;
+}
+
+bool BlockRun::rotation() {
+  if (!words_.has(Group::rotation)) return true;
+  PlaneRotation& rotation = registers.placement.rotation;
+  registers.modal.set(Group::rotation, words_[Group::rotation]);
+  rotation.active = words_[Group::rotation] == code(68);
+  if (!rotation.active) return true;
+  constexpr double kWholeTurn = 360.0;
+  AxisVector center;
+  if (!center_words(center, nullptr)) return false;
+  const Word* angle = take('R');
+  if (angle == nullptr) return refuse("rotation-angle", span(words_.word(Group::rotation)));
+  if (!value(*angle, -kWholeTurn, kWholeTurn, rotation.angle_deg)) return false;
+  rotation.plane = plane_in_force();
+  rotation.center = {center[rotation.plane.first], center[rotation.plane.second]};
+  rotation.turn = turn_by(rotation.angle_deg);
+  return true;
+}
+
+/// The shift appears with the next move of the axis.
+bool BlockRun::length_offset() {
+  if (!words_.has(Group::length_compensation)) return true;
+  const CodeNumber wanted = words_[Group::length_compensation];
+  registers.modal.set(Group::length_compensation, wanted);
+  registers.placement.length = {};
+  if (wanted == code(49)) return true;
+  const Axis axis = settings_.version_1_02 ? plane_in_force().third : Axis::Z;
+  const auto& tools = rules_.machine().tools;
+  const auto tool = std::find_if(tools.begin(), tools.end(),
+                                 [this](const Tool& one) { return one.number == registers.tool; });
+  const double length = tool == tools.end() ? 0.0 : tool->length;
+  registers.placement.length[axis] = wanted == code(43) ? length : -length;
+  return true;
+}
+
+bool BlockRun::parameter_set() {
+  if (!words_.has(Group::multi_block)) return true;
+  registers.modal.set(Group::multi_block, words_[Group::multi_block]);
+  take('P');  // with a value that names no set it counts as left out
+  registers.placement.rest_wanted = true;
+  return true;
+}
+
+}  // namespace kerf::omron

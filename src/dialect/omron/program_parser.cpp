@@ -1,0 +1,496 @@
+#include "dialect/omron/program_parser.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+#include "dialect/omron/addresses.hpp"
+#include "dialect/omron/variables.hpp"
+
+namespace kerf::omron {
+namespace {
+
+constexpr std::string_view kLetters = "ABCFGIJKLMPRSXYZ";
+constexpr std::string_view kCommandMissing = "A command was expected here.";
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+double number_of(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = 0.0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+}  // namespace
+
+void ProgramParser::run(std::vector<ParseFault>& faults) {
+  faults_ = &faults;
+  for (;;) {
+    scanner_.next_line_with_text();
+    if (scanner_.at_text_end() || faults.size() >= kMostFaults) return;
+    Command kind = Command::none;
+    if (!command(kind)) note_fault();
+  }
+}
+
+void ProgramParser::note_fault() {
+  faults_->push_back(scanner_.fault());
+  scanner_.forget_fault();
+  resume();
+}
+
+/// Goes on behind a faulty line; a body that begins on it is left out with it, and a brace that closes the
+/// body around it still does.
+void ProgramParser::resume() {
+  int open = 0;
+  for (;;) {
+    const char c = scanner_.peek();
+    if (c == '\0') {
+      if (open == 0 || scanner_.at_text_end()) return;
+      scanner_.next_line_with_text();
+      continue;
+    }
+    if (c == '}' && open == 0) return;
+    open += c == '{' ? 1 : c == '}' ? -1 : 0;
+    scanner_.skip();
+    if (c == '}' && open == 0) return;
+  }
+}
+
+bool ProgramParser::fail(std::string_view detail, std::string_view message) {
+  return scanner_.fail(detail, message);
+}
+
+StatementIndex ProgramParser::add(StatementKind kind) {
+  Statement& statement = program_.statements.emplace_back();
+  statement.kind = kind;
+  statement.span = block_;
+  statement.sequence_number = static_cast<std::int32_t>(block_.line);
+  statement.first_of_block = first_of_block_;
+  first_of_block_ = false;
+  return here() - 1;
+}
+
+StatementIndex ProgramParser::jump_unless(const ExpressionRef& condition) {
+  const StatementIndex jump = add(StatementKind::branch);
+  program_.statements[jump].condition = condition;
+  return jump;
+}
+
+bool ProgramParser::add_code(std::string line) {
+  return code_.add_line(std::move(line)) || scanner_.fail("block-length", {}, block_);
+}
+
+bool ProgramParser::command(Command& kind) {
+  scanner_.next_line_with_text();
+  if (scanner_.at_text_end()) return fail("syntax", kCommandMissing);
+  start_ = scanner_.position();
+  first_of_block_ = true;
+  block_ = scanner_.span_here();
+  int skip = 0;
+  if (scanner_.peek() == '/' && !skip_number(skip)) return false;
+  const SourceSpan skip_span = scanner_.span_from(start_);
+  if (scanner_.peek() == 'N' && !block_number()) return false;
+  bool found = false;
+  if (!program_code(found)) return false;
+  if (found && skip > 0)
+    return scanner_.fail("block-skip", "Only blocks of words can be skipped, not program codes.", skip_span);
+  kind = found ? Command::program_code : Command::block;
+  return found || words(skip);
+}
+
+bool ProgramParser::program_code(bool& found) {
+  found = true;
+  if (scanner_.peek() == '{') {
+    scanner_.skip();
+    std::size_t count = 0;
+    Command last = Command::none;
+    return commands_to_brace(count, last);
+  }
+  if (scanner_.peek() == '}') {
+    scanner_.skip();
+    return scanner_.fail("syntax", "This brace closes nothing.", block_);
+  }
+  if (scanner_.take_keyword("if")) return if_statement();
+  if (scanner_.take_keyword("while")) return while_statement();
+  if (scanner_.take_keyword("do")) return do_statement();
+  if (scanner_.take_keyword("switch")) return switch_statement();
+  if (scanner_.take_keyword("break")) return break_statement();
+  for (const std::string_view stray : {"else", "case", "default"}) {
+    if (scanner_.name() == stray)
+      return fail("syntax", stray == "else" ? "There is no if in front of this else."
+                                            : "A case and a default stand directly inside of a switch.");
+  }
+  found = at_assignment();
+  return !found || assignments();
+}
+
+bool ProgramParser::skip_number(int& skip) {
+  constexpr int kMostSkips = 31;
+  scanner_.skip();
+  while (is_digit(scanner_.at()) && skip < 1000) {
+    skip = skip * 10 + (scanner_.at() - '0');
+    scanner_.skip();
+  }
+  return (skip >= 1 && skip <= kMostSkips) || scanner_.fail("block-skip", {}, scanner_.span_from(start_));
+}
+
+bool ProgramParser::block_number() {
+  const std::size_t from = scanner_.position();
+  scanner_.skip();
+  if (!is_digit(scanner_.at()))
+    return scanner_.fail("syntax", "A number of digits belongs behind N.", scanner_.span_from(from));
+  while (is_digit(scanner_.at())) scanner_.skip();
+  return true;
+}
+
+// ---- control statements
+
+bool ProgramParser::condition(std::string_view keyword, ExpressionRef& ref) {
+  if (!scanner_.take('(')) return fail("syntax", "The condition stands in parentheses.");
+  if (!expressions_.condition(ref)) return false;
+  if (!scanner_.take(')')) return fail("syntax", "A closing parenthesis was expected here.");
+  block_ = scanner_.span_from(start_);
+  return add_code(std::string(keyword) + "(" + expressions_.text() + ")");
+}
+
+bool ProgramParser::body() {
+  if (depth_ >= kDeepest) return fail("nesting", "The control statements are nested too deeply.");
+  ++depth_;
+  scanner_.next_line_with_text();
+  const std::size_t first = code_.size();
+  Command last = Command::none;
+  bool read = false;
+  if (scanner_.take('{')) {
+    std::size_t count = 0;
+    read = commands_to_brace(count, last);
+    if (count != 1 || last != Command::block) code_.enclose(first);
+  } else {
+    read = command(last);
+  }
+  --depth_;
+  return read;
+}
+
+bool ProgramParser::commands_to_brace(std::size_t& count, Command& last) {
+  const SourceSpan open = block_;
+  for (;;) {
+    scanner_.next_line_with_text();
+    if (scanner_.at_text_end())
+      return scanner_.fail("syntax", "The brace that is opened here is never closed.", open);
+    if (scanner_.take('}')) return true;
+    if (faults_->size() >= kMostFaults) return fail("syntax", {});
+    if (!command(last)) note_fault();
+    ++count;
+  }
+}
+
+bool ProgramParser::if_statement() {
+  ExpressionRef holds;
+  if (!condition("if", holds)) return false;
+  const StatementIndex skipped = jump_unless(holds);
+  if (!body()) return false;
+  const Scanner behind = scanner_;
+  scanner_.next_line_with_text();
+  start_ = scanner_.position();
+  if (!scanner_.take_keyword("else")) {
+    scanner_ = behind;
+    set_target(skipped);
+    return true;
+  }
+  first_of_block_ = false;
+  const StatementIndex end = add(StatementKind::branch);
+  set_target(skipped);
+  block_ = scanner_.span_from(start_);
+  if (!add_code("else") || !body()) return false;
+  set_target(end);
+  return true;
+}
+
+bool ProgramParser::while_statement() {
+  ExpressionRef holds;
+  if (!condition("while", holds)) return false;
+  const StatementIndex top = jump_unless(holds);
+  breaks_.emplace_back();
+  const bool read = body();
+  if (read) {
+    first_of_block_ = false;
+    program_.statements[add(StatementKind::branch)].jump = top;
+    set_target(top);
+  }
+  leave_breakable();
+  return read;
+}
+
+bool ProgramParser::do_statement() {
+  block_ = scanner_.span_from(start_);
+  if (!add_code("do")) return false;
+  const StatementIndex top = here();
+  breaks_.emplace_back();
+  bool read = body();
+  if (read) {
+    scanner_.next_line_with_text();
+    start_ = scanner_.position();
+    first_of_block_ = true;
+    ExpressionRef holds;
+    read =
+        (scanner_.take_keyword("while") || fail("syntax", "A while was expected behind the body of do.")) &&
+        condition("while", holds);
+    if (read) {
+      program_.steps.push_back({ExpressionOp::negation});
+      ++holds.count;
+      program_.statements[jump_unless(holds)].jump = top;
+    }
+  }
+  leave_breakable();
+  return read;
+}
+
+void ProgramParser::leave_breakable() {
+  for (const StatementIndex jump : breaks_.back()) set_target(jump);
+  breaks_.pop_back();
+}
+
+bool ProgramParser::break_statement() {
+  block_ = scanner_.span_from(start_);
+  if (breaks_.empty())
+    return scanner_.fail("syntax", "There is no loop and no switch around this break.", block_);
+  breaks_.back().push_back(add(StatementKind::branch));
+  return add_code("break");
+}
+
+bool ProgramParser::switch_statement() {
+  ExpressionRef value;
+  if (!scanner_.take('(')) return fail("syntax", "The expression stands in parentheses.");
+  if (!expressions_.number(value)) return false;
+  if (!scanner_.take(')')) return fail("syntax", "A closing parenthesis was expected here.");
+  block_ = scanner_.span_from(start_);
+  if (!add_code("switch(" + expressions_.text() + ")") || !add_code("{")) return false;
+  const SourceSpan head = block_;
+  scanner_.next_line_with_text();
+  if (!scanner_.take('{')) return fail("syntax", "The cases of a switch stand in braces.");
+  const StatementIndex to_dispatch = add(StatementKind::branch);
+  breaks_.emplace_back();
+  std::vector<Case> cases;
+  const bool read = switch_body(head, cases) && add_code("}");
+  if (read) {
+    block_ = head;
+    first_of_block_ = false;
+    breaks_.back().push_back(add(StatementKind::branch));
+    set_target(to_dispatch);
+    dispatch(value, cases);
+  }
+  leave_breakable();
+  return read;
+}
+
+bool ProgramParser::switch_body(const SourceSpan& head, std::vector<Case>& cases) {
+  for (;;) {
+    scanner_.next_line_with_text();
+    if (scanner_.at_text_end()) return scanner_.fail("syntax", "This switch is never closed.", head);
+    if (scanner_.take('}')) return true;
+    if (faults_->size() >= kMostFaults) return fail("syntax", {});
+    const bool label = scanner_.name() == "case" || scanner_.name() == "default";
+    if (!label && cases.empty()) return fail("syntax", "A case or default was expected here.");
+    Command kind = Command::none;
+    if (!(label ? case_label(cases) : command(kind))) note_fault();
+  }
+}
+
+bool ProgramParser::case_label(std::vector<Case>& cases) {
+  start_ = scanner_.position();
+  Case found;
+  found.body = here();
+  found.is_default = scanner_.take_keyword("default");
+  if (!found.is_default) {
+    scanner_.take_keyword("case");
+    scanner_.peek();
+    const std::size_t from = scanner_.position();
+    if (scanner_.at() == '-') scanner_.skip();
+    while (is_digit(scanner_.at())) scanner_.skip();
+    const std::string_view digits = scanner_.since(from);
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), found.value);
+    if (error != std::errc() || scanner_.at() == '.')
+      return scanner_.fail("syntax", "A case has an integer.", scanner_.span_from(from));
+  }
+  if (!scanner_.take(':')) return fail("syntax", "A colon was expected here.");
+  block_ = scanner_.span_from(start_);
+  const auto same = [&](const Case& other) {
+    return other.is_default == found.is_default && other.value == found.value;
+  };
+  if (std::any_of(cases.begin(), cases.end(), same))
+    return scanner_.fail("syntax", "The switch has this case already.", block_);
+  cases.push_back(found);
+  return add_code(found.is_default ? "default:" : "case " + std::to_string(found.value) + ":");
+}
+
+/// The way from the head of a switch to its cases: one comparison after the other.
+void ProgramParser::dispatch(const ExpressionRef& value, const std::vector<Case>& cases) {
+  std::optional<StatementIndex> otherwise;
+  for (const Case& one : cases) {
+    if (one.is_default) {
+      otherwise = one.body;
+      continue;
+    }
+    ExpressionRef differs{static_cast<std::uint32_t>(program_.steps.size()), value.count + 3};
+    for (std::uint32_t i = 0; i < value.count; ++i) {
+      const ExpressionStep step = program_.steps[value.begin + i];
+      program_.steps.push_back(step);
+    }
+    program_.steps.push_back({ExpressionOp::truncate});
+    program_.steps.push_back({ExpressionOp::constant, static_cast<double>(one.value)});
+    program_.steps.push_back({ExpressionOp::not_equal});
+    program_.statements[jump_unless(differs)].jump = one.body;
+  }
+  if (otherwise) program_.statements[add(StatementKind::branch)].jump = *otherwise;
+}
+
+// ---- assignments
+
+/// L, Q or P with a number and one = behind it, or a forbidden form of that.
+bool ProgramParser::at_assignment() {
+  const char bank = scanner_.peek();
+  if (bank != 'L' && bank != 'Q' && bank != 'P') return false;
+  Scanner ahead = scanner_;
+  ahead.skip();
+  while (is_digit(ahead.at())) ahead.skip();
+  if (ahead.at() == '[') {
+    while (ahead.at() != '\0' && ahead.at() != ']') ahead.skip();
+    ahead.take(']');
+  }
+  if (ahead.peek() != '=') return false;
+  ahead.skip();
+  return ahead.at() != '=';
+}
+
+bool ProgramParser::assignments() {
+  std::string line;
+  std::vector<StatementIndex> added;
+  while (at_assignment()) {
+    ExpressionRef target;
+    ExpressionRef value;
+    const std::size_t from = scanner_.position();
+    if (!expressions_.variable(target)) return false;
+    if (!line.empty()) line += ' ';
+    line += scanner_.since(from);
+    scanner_.take('=');
+    if (!expressions_.number(value)) return false;
+    line += "=" + expressions_.text();
+    // The target is the number of the variable, not its value.
+    program_.steps[target.begin].op = ExpressionOp::constant;
+    added.push_back(add(StatementKind::assignment));
+    program_.statements.back().target = target;
+    program_.statements.back().value = value;
+  }
+  block_ = scanner_.span_from(start_);
+  for (const StatementIndex index : added) program_.statements[index].span = block_;
+  if (!at_end_of_command())
+    return fail("syntax", "An assignment ends here; other words have a block of their own.");
+  return add_code(std::move(line));
+}
+
+bool ProgramParser::at_end_of_command() {
+  if (scanner_.at_line_end() || scanner_.peek() == '}') return true;
+  const std::string_view name = scanner_.name();
+  return name == "else" || name == "while";
+}
+
+// ---- words
+
+bool ProgramParser::words(int skip) {
+  const StatementIndex index = add(StatementKind::words);
+  const auto first = static_cast<std::uint32_t>(program_.words.size());
+  code_.begin_block(block_.line, skip);
+  while (!at_end_of_command()) {
+    if (!word()) return false;
+    if (program_.words.size() - first > Block::kMaxWords) return scanner_.fail("block-length", {}, block_);
+    block_ = scanner_.span_from(start_);
+  }
+  Statement& statement = program_.statements[index];
+  statement.span = block_;
+  statement.first_word = first;
+  statement.word_count = static_cast<std::uint32_t>(program_.words.size()) - first;
+  statement.skip_number = static_cast<std::uint8_t>(skip);
+  return code_.end_block() || scanner_.fail("block-length", {}, block_);
+}
+
+bool ProgramParser::address(char& address, std::string_view& text) {
+  const char c = scanner_.peek();
+  const std::size_t from = scanner_.position();
+  const char second = scanner_.at(1);
+  if (c == 't' && (second == 'a' || second == 'd' || second == 's')) {
+    scanner_.skip(2);
+    address = second;
+  } else if (c == 'V' && second >= 'A' && second <= 'H') {
+    scanner_.skip(2);
+    address = kArguments[static_cast<std::size_t>(second - 'A')];
+  } else if (kLetters.find(c) != std::string_view::npos) {
+    scanner_.skip();
+    address = c;
+  } else if (c == 'N') {
+    return fail("syntax", "N may only be the first word of a block.");
+  } else if (c == '/') {
+    return fail("block-skip", "The slash of a block skip stands in front of the block, before N.");
+  } else {
+    return fail("unknown-word");
+  }
+  text = scanner_.since(from);
+  return true;
+}
+
+bool ProgramParser::word() {
+  Word word;
+  IntermediateCode::Word text;
+  const SourceSpan place = (scanner_.peek(), scanner_.span_here());
+  const std::size_t from = scanner_.position();
+  if (!address(word.address, text.address)) return false;
+  word.is_computed = true;
+  const bool read = scanner_.at() == '[' ? indirect_value(word, text) : word_value(word, text);
+  if (!read) return false;
+  word.column = place.column;
+  word.length = static_cast<std::uint32_t>(scanner_.position() - from);
+  program_.words.push_back(word);
+  code_.add_word(text);
+  return true;
+}
+
+bool ProgramParser::word_value(Word& word, IntermediateCode::Word& text) {
+  const std::size_t from = scanner_.position();
+  if (scanner_.at() == '-' || scanner_.at() == '+') scanner_.skip();
+  bool any = false;
+  while (is_digit(scanner_.at())) any = true, scanner_.skip();
+  if (scanner_.at() == '.') scanner_.skip();
+  while (is_digit(scanner_.at())) any = true, scanner_.skip();
+  if (!any) {
+    const bool equals = scanner_.at() == '=';
+    return scanner_.fail("syntax",
+                         equals ? "Only variables L, Q and P can be assigned to."
+                                : "A number belongs directly behind the letter of a word.",
+                         scanner_.span_here());
+  }
+  text.value = scanner_.since(from);
+  word.computed = number_of(text.value);
+  return true;
+}
+
+bool ProgramParser::indirect_value(Word& word, IntermediateCode::Word& text) {
+  if (word.address == 'G' || word.address == 'M')
+    return scanner_.fail("indirection", "The number of a code cannot come from a variable.",
+                         scanner_.span_here());
+  scanner_.skip();
+  scanner_.peek();
+  const std::size_t from = scanner_.position();
+  ExpressionRef value;
+  if (!expressions_.variable(value)) return false;
+  text.value = scanner_.since(from);
+  text.is_variable = true;
+  if (!scanner_.take(']'))
+    return fail("indirection", "Only the name of a variable can stand in the brackets of a word.");
+  word.expression = static_cast<std::int32_t>(program_.word_values.size());
+  program_.word_values.push_back(value);
+  return true;
+}
+
+}  // namespace kerf::omron

@@ -1,0 +1,154 @@
+// M codes (manual chapter 3): what they tell the machine, and the way through the programs.
+
+#include <algorithm>
+
+#include "dialect/omron/addresses.hpp"
+#include "dialect/omron/block_run.hpp"
+#include "dialect/omron/variables.hpp"
+
+namespace kerf::omron {
+namespace {
+
+constexpr std::int32_t kFirstSubprogram = 1000;
+constexpr std::int32_t kLastSubprogram = 9999;
+
+/// Codes that steer the program, or the spindle; all others are handed to the machine as they are.
+bool is_auxiliary(std::int32_t number) {
+  switch (number) {
+    case 0:
+    case 1:
+    case 2:
+    case 3:
+    case 4:
+    case 5:
+    case 19:
+    case 30:
+    case 98:
+    case 99:
+      return false;
+    default:
+      return true;
+  }
+}
+
+}  // namespace
+
+/// Output timing 1: when the block is interpreted, in front of its move; timing 2: with the move.
+bool BlockRun::early_m_code() {
+  const CodeNumber unit = words_.has(Group::unit) ? words_[Group::unit] : registers.modal[Group::unit];
+  constexpr double kInch = 25.4;
+  unit_mm_ = unit == code(20) ? kInch : 1.0;
+  const std::int32_t number = words_.m_code();
+  if (number < 0 || !is_auxiliary(number) || m_timing() == OutputTiming::synchronous) return true;
+  return auxiliary();
+}
+
+/// An M code with arguments waits for the end of the movement and for its reset, whatever its setting is.
+OutputTiming BlockRun::m_timing() const {
+  const auto given = [this](char address) { return words_.find(address) != nullptr; };
+  if (std::any_of(kArguments.begin(), kArguments.end(), given)) return OutputTiming::synchronous;
+  return settings_.timing[static_cast<std::size_t>(words_.m_code())];
+}
+
+bool BlockRun::m_code() {
+  const std::int32_t number = words_.m_code();
+  if (number < 0) return true;
+  switch (number) {
+    case 0:
+      queue_.push<Stop>();
+      return true;
+    case 1:
+      if (settings_.optional_stop) queue_.push<Stop>().optional = true;
+      return true;
+    case 2:
+    case 30:
+      ends_program = true;
+      return true;
+    case 3:
+      turn_spindle(SpindleDirection::clockwise);
+      return true;
+    case 4:
+      turn_spindle(SpindleDirection::counterclockwise);
+      return true;
+    case 5:
+      turn_spindle(SpindleDirection::off);
+      return true;
+    case 19:
+      turn_spindle(SpindleDirection::orient);
+      return true;
+    case 98:
+      return call_program();
+    case 99:
+      go_back();
+      return true;
+    default:
+      break;
+  }
+  return m_timing() != OutputTiming::synchronous || auxiliary();
+}
+
+bool BlockRun::auxiliary() {
+  Auxiliary auxiliary;
+  auxiliary.code = words_.m_code();
+  auxiliary.timing = m_timing();
+  m_arguments(auxiliary);
+  if (!taking_over_) queue_.push<Auxiliary>() = auxiliary;
+  if (auxiliary.code == settings_.tool_m_code && (auxiliary.given & 1U) != 0) {
+    registers.tool = static_cast<std::int32_t>(auxiliary.arguments[0]);
+  }
+  return true;
+}
+
+void BlockRun::m_arguments(Auxiliary& auxiliary) {
+  for (std::size_t i = 0; i < kArguments.size(); ++i) {
+    const Word* word = take(kArguments[i]);
+    if (word == nullptr) continue;
+    auxiliary.given = static_cast<std::uint8_t>(auxiliary.given | 1U << i);
+    auxiliary.arguments[i] = word->computed;
+  }
+}
+
+void BlockRun::turn_spindle(SpindleDirection direction) {
+  const bool turns =
+      direction == SpindleDirection::clockwise || direction == SpindleDirection::counterclockwise;
+  registers.spindle_on = turns;
+  registers.outputs = direction == SpindleDirection::counterclockwise ? 1U : 0U;
+  if (taking_over_) return;
+  Spindle& spindle = queue_.push<Spindle>();
+  spindle.direction = direction;
+  if (turns) spindle.rpm = registers.spindle_rpm;
+  if (direction == SpindleDirection::orient) spindle.rpm = settings_.orientation_velocity;
+}
+
+bool BlockRun::call_program() {
+  constexpr int kMostCalls = 10000;
+  const Word* program = take('P');
+  const Word* times = take('L');
+  if (program == nullptr)
+    return refuse("program-number", span(words_.m_word()), "M98 needs the program number P.");
+  FlowRequest request;
+  request.kind = FlowRequest::Kind::macro_call;
+  request.renews_locals = true;
+  request.place = span(*program);
+  request.repetitions = 1;
+  if (times != nullptr && !integer(*times, 0, kMostCalls, request.repetitions)) return false;
+  if (!(program->computed >= kFirstSubprogram && program->computed <= kLastSubprogram))
+    return refuse("program-number", span(*program));
+  if (!integer(*program, kFirstSubprogram, kLastSubprogram, request.program)) return false;
+  // Deeper than the controller goes nothing is called, and the next block runs (manual M98).
+  if (level_ < kDeepestCall) flow_ = request;
+  return true;
+}
+
+/// To the caller; a program that nobody called ends.
+void BlockRun::go_back() {
+  if (level_ == 0) {
+    ends_program = true;
+    return;
+  }
+  flow_ = {};
+  flow_.kind = FlowRequest::Kind::go_back;
+  flow_.place = span(words_.m_word());
+}
+
+}  // namespace kerf::omron

@@ -1,0 +1,49 @@
+#pragma once
+// The [omron] section of the machine file: settings of the CNC coordinate system and its motors.
+
+#include <array>
+#include <bitset>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "base/axis.hpp"
+#include "execute/action.hpp"
+#include "machine/machine.hpp"
+#include "machine/parameter.hpp"
+#include "machine/settings.hpp"
+
+namespace kerf::omron {
+
+inline constexpr std::size_t kMCodes = 192;
+inline constexpr std::size_t kReferencePoints = 3;  ///< the 2nd to the 4th
+
+struct ControllerSettings {
+  bool version_1_02 = true;           ///< CNC version 1.02 or higher, else 1.01 or lower
+  bool inch = false;                  ///< command unit of the orthogonal axes at the start
+  double maximum_feedrate = 0.0;      ///< mm/min
+  double rotary_velocity = 0.0;       ///< degree/min
+  double acceleration_time = 0.0;     ///< ms, of the program until it says otherwise
+  double deceleration_time = 0.0;     ///< ms
+  double jerk_time = 0.0;             ///< ms
+  double spindle_maximum = 0.0;       ///< r/min
+  double orientation_velocity = 0.0;  ///< r/min
+  std::int32_t tool_m_code = -1;      ///< whose argument VA is the tool that is selected; -1: none
+  std::int32_t tool = 0;              ///< selected at the start; 0: none
+  bool optional_stop = false;
+  std::bitset<32> skips;  ///< optional skip signals that are on, by number
+  std::array<OutputTiming, kMCodes> timing{};
+  std::array<AxisVector, kReferencePoints> references;
+};
+
+std::span<const Parameter> parameters();
+std::span<const std::string_view> keys_not_shared();
+std::span<const DefaultOverride> default_machine();
+ControllerSettings controller_settings(const Settings& settings, const Machine& machine);
+
+/// The numbers of a list such as "1 5 20-25", separated by blanks or commas; nothing when it is none or one
+/// of them is not from `least` to `greatest`.
+std::optional<std::vector<int>> numbers_in(std::string_view list, int least, int greatest);
+
+}  // namespace kerf::omron
