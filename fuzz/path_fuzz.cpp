@@ -103,21 +103,37 @@ std::vector<Controller> melsec_controllers() {
   return made;
 }
 
+std::vector<Controller> omron_controllers() {
+  std::vector<Controller> made;
+  made.push_back(controller({}));
+  made.push_back(
+      controller({"omron.cnc_version=1.01", "omron.command_unit=inch", "omron.all_block_skips=true",
+                  "omron.optional_stop=true", "axes.X.limits=[-50,200]", "offsets.G54.X=10"}));
+  made.push_back(controller(
+      {"omron.block_skip=1 3-5", "omron.immediate_m_codes=0-191", "omron.tool=1", "axes.Z.start=20"}));
+  return made;
+}
+
+std::vector<Controller> controllers() {
+  if (fuzzed_dialect() == "melsec") return melsec_controllers();
+  return fuzzed_dialect() == "omron" ? omron_controllers() : dgshape_controllers();
+}
+
 const Controller& controller_for(std::string_view text) {
-  static const std::vector<Controller> kControllers =
-      fuzzed_dialect() == "melsec" ? melsec_controllers() : dgshape_controllers();
+  static const std::vector<Controller> kControllers = controllers();
   std::uint32_t hash = 2166136261U;  // FNV-1a
   for (char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
   return kControllers[hash % kControllers.size()];
 }
 
-/// The program may call itself under three numbers.
+/// The program may call itself under three numbers of each dialect.
 kerf::InterpreterOptions options_of(const Controller& controller,
                                     const std::shared_ptr<const kerf::Source>& source) {
   kerf::InterpreterOptions options = controller.interpreter_options;
   options.most_rounds = 5'000;
   options.programs = [source](std::int32_t number) {
-    return number <= 3 ? kerf::ProgramText{source} : kerf::ProgramText{};
+    const bool known = number <= 3 || (number >= 1000 && number <= 1002);
+    return known ? kerf::ProgramText{source} : kerf::ProgramText{};
   };
   return options;
 }
