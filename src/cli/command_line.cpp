@@ -21,9 +21,10 @@ using CommandAction = std::function<int()>;
 
 void add_dialect_option(CLI::App& command, CommonOptions& options) {
   command
-      .add_option("--dialect", options.dialect,
-                  "Controller the program is written for (dgshape, melsec); otherwise from the machine file, "
-                  "otherwise from the program")
+      .add_option(
+          "--dialect", options.dialect,
+          "Controller the program is written for (dgshape, melsec, omron); otherwise from the machine file, "
+          "otherwise from the program")
       ->type_name("NAME");
 }
 
@@ -132,6 +133,26 @@ void add_run(CLI::App& app, CommandAction& action) {
       "  kerf run part.nc --trace part.csv --set machine.cycle_ms=0.5\n"
       "  kerf run part.nc --json --set axes.X.acceleration=1500");
   choose(*command, action, options, run_command);
+}
+
+void add_convert(CLI::App& app, CommandAction& action) {
+  auto options = std::make_shared<ConvertOptions>();
+  CLI::App* command =
+      app.add_subcommand("convert", "Write a program in another form: OMRON intermediate code");
+  command->add_option("FILE", options->file, "NC program (- for standard input)")->required()->type_name("");
+  command->add_option("--to", options->to, "The form: pmc")->required()->type_name("FORM");
+  command->add_option("-o,--output", options->output, "Where to (default: standard output)")
+      ->type_name("OUT");
+  command
+      ->add_option("--number", options->number, "Program number (default: the one in the name of FILE, or 1)")
+      ->check(CLI::Range(1, 9999))
+      ->type_name("N");
+  add_program_options(*command, options->common);
+  command->footer(
+      "Examples:\n"
+      "  kerf convert 1000.nc --to pmc\n"
+      "  kerf convert plate.nc --number 12 --to pmc -o plate.pmc");
+  choose(*command, action, options, convert_command);
 }
 
 void add_codes(CLI::App& app, CommandAction& action) {
@@ -268,6 +289,7 @@ int run_command_line(int argc, char** argv) {
   add_check(app, action);
   add_path(app, action);
   add_run(app, action);
+  add_convert(app, action);
   add_codes(app, action);
   add_alarms(app, action);
   add_machine(app, action);

@@ -37,6 +37,15 @@ struct RunCommandOptions {
 };
 int run_command(const RunCommandOptions& options);
 
+struct ConvertOptions {
+  CommonOptions common;
+  std::string file;
+  std::string to;
+  std::optional<std::string> output;  ///< otherwise standard output
+  std::int32_t number = -1;           ///< of the program; -1: as its file's name says
+};
+int convert_command(const ConvertOptions& options);
+
 struct CodesOptions {
   CommonOptions common;
   bool json = false;

@@ -20,6 +20,15 @@
 
 namespace kerf {
 
+/// Another form into which programs of a dialect can be brought.
+struct Conversion {
+  std::string_view name;   ///< as in `kerf convert --to`
+  std::string_view title;  ///< for people
+  /// The program in that form; empty when it cannot be made, and `faults` says why. `number` of the program;
+  /// -1: the one that its file's name says.
+  std::string (*convert)(const Source& source, std::int32_t number, std::vector<Alarm>& faults) = nullptr;
+};
+
 struct Dialect {
   std::string_view name;            ///< as in `--dialect` and the machine file
   std::string_view title;           ///< the controller's name
@@ -47,6 +56,7 @@ struct Dialect {
   std::vector<std::string> (*file_names)(std::int32_t number) = nullptr;
   /// The number of a variable (MacroVariables) by the name that programs give it; null: it has none.
   std::optional<std::int64_t> (*variable_number)(std::string_view name) = nullptr;
+  std::span<const Conversion> conversions;
   /// Whether a text is a program of it, judged by how it begins; null: any may be.
   bool (*recognises)(std::string_view text) = nullptr;
 

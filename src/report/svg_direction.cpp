@@ -48,7 +48,7 @@ void DirectionTicks::add(const Move& move, Axis axis) {
   // Even parts of the move with a tick in the middle of each: corners and smooth joints keep their distance.
   constexpr double kMost = 10'000.0;
   const double parts = std::min(std::round(length / kSpacing), kMost);
-  for (double part = 0.5; part < parts; part += 1.0) tick(move, axis, part / parts);
+  for (int part = 0; part < static_cast<int>(parts); ++part) tick(move, axis, (part + 0.5) / parts);
   since_ = length / parts / 2.0;
 }
 

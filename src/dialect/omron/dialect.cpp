@@ -58,6 +58,19 @@ std::vector<std::string> file_names(std::int32_t number) {
   return {fmt::format("{}.nc", number), fmt::format("P{}.nc", number)};
 }
 
+std::string to_intermediate_code(const Source& source, std::int32_t number, std::vector<Alarm>& alarms) {
+  std::vector<ParseFault> faults;
+  const std::int32_t program = number >= 0 ? number : number_in_name(source.name());
+  std::string text = intermediate_code(source.text(), program, faults);
+  for (const ParseFault& fault : faults)
+    alarms.push_back({&alarm_kind(fault.detail), fault.span, fault.message, {}});
+  return text;
+}
+
+constexpr Conversion kConversions[] = {
+    {"pmc", "intermediate code of the CNC Operator", to_intermediate_code},
+};
+
 }  // namespace
 
 Dialect dialect() {
@@ -73,6 +86,7 @@ Dialect dialect() {
   d.block_skip_key = "omron.all_block_skips";
   d.file_names = file_names;
   d.variable_number = variable_named;
+  d.conversions = kConversions;
   d.complete_machine = complete_machine;
   d.contradictions = contradictions;
   d.rules = make_rules;
