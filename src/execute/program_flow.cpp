@@ -110,6 +110,10 @@ ProgramFlow::Step ProgramFlow::execute(const Statement& statement, Block& block,
       return end_loop(statement);
     case StatementKind::branch:
       return branch(statement, variables);
+    case StatementKind::go_back:
+      if (frames_.size() > 1) return go_back({}, variables) == Result::block ? Step::on : Step::fault;
+      ++frame.next;
+      return Step::on;
     case StatementKind::nothing:
       ++frame.next;
       return Step::on;

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "execute/polar_plane.hpp"
+#include "geometry/spiral.hpp"
 #include "geometry/vec2.hpp"
 #include "motion/polar_path.hpp"
 
@@ -80,10 +81,10 @@ void set_line(PathSegment& segment, const Move& move, const AxisLimits& limits) 
   segment.acceleration = limit_along(segment.slope, limits.inverse_acceleration);
 }
 
-/// Speed and acceleration of a circle or a narrow spiral r = r0 + k angle. With w the angle's rate, the
-/// velocity is w sqrt(r2 + k2) and the acceleration has the parts w2 sqrt(r2 + 4 k2) and dw/dt sqrt(r2 + k2),
-/// at right angles on a circle; on a spiral the cosine of the angle between them is at most k / r and never
-/// above 1/3.
+/// Speed and acceleration of a circle that may be out of round, r = r0 + k angle. With w the angle's rate,
+/// the velocity is w sqrt(r2 + k2) and the acceleration has the parts w2 sqrt(r2 + 4 k2) and dw/dt sqrt(r2 +
+/// k2), at right angles on a circle; on a spiral the cosine of the angle between them is at most k / r and
+/// never above 1/3.
 void set_arc_limits(PathSegment& segment, const AxisLimits& limits, double feed_now, double r0, double r1,
                     double k) {
   const std::size_t first = segment.arc.first;
@@ -109,6 +110,28 @@ void set_arc_limits(PathSegment& segment, const AxisLimits& limits, double feed_
                                   limit_along(segment.slope, limits.inverse_acceleration));
 }
 
+/// The same along a spiral, at the speed of its way: the acceleration has the parts v2 c across, with the
+/// curvature c = (r2 + 2 k2) / (r2 + k2)^(3/2) that is greatest at the least radius, and dv/dt along.
+void set_spiral_limits(PathSegment& segment, const AxisLimits& limits, double feed_now, double least_radius) {
+  const ArcPath& arc = segment.arc;
+  const double k = arc.growth;
+  const double square_sum = square(least_radius) + square(k);
+  const double curvature = (square_sum + square(k)) / (square_sum * std::sqrt(square_sum));
+  const double plane_acceleration =
+      std::min(limits.acceleration.values[arc.first], limits.acceleration.values[arc.second]);
+  const double plane_feed = std::min(limits.feed.values[arc.first], limits.feed.values[arc.second]);
+  const double across = curvature * square(arc.share);
+  double speed = std::min(plane_feed / arc.share, limit_along(segment.slope, limits.inverse_feed));
+  speed = std::min(speed, std::sqrt(kCentripetalShare * plane_acceleration / across));
+  if (!segment.at_maximum) {
+    speed = std::min(speed, 2.0 * std::max({feed_now, segment.feed_mm_min, 0.0}) / segment.feed_per_speed);
+  }
+  segment.speed_limit = speed;
+  const double centripetal = across * square(speed);
+  segment.acceleration = std::min(std::sqrt(square(plane_acceleration) - square(centripetal)) / arc.share,
+                                  limit_along(segment.slope, limits.inverse_acceleration));
+}
+
 /// False when the arc is too small to be one.
 bool set_arc(PathSegment& segment, const Move& move, const AxisLimits& limits, double feed_now) {
   const Axis first = move.plane.first;
@@ -120,8 +143,8 @@ bool set_arc(PathSegment& segment, const Move& move, const AxisLimits& limits, d
   const double r0 = std::hypot(x0, y0);
   const double r1 = std::hypot(x1, y1);
   const double sweep = radians(move.arc.sweep);
-  const double mean_radius = 0.5 * (r0 + r1);
-  const double arc_length = mean_radius * std::abs(sweep);
+  const double whole = std::abs(sweep);
+  const double arc_length = way_of_arc(r0, r1, whole);
   if (!(arc_length >= kShortestLength) || std::isinf(arc_length) || !(std::min(r0, r1) > 0.0)) return false;
 
   AxisVector step = step_of(move, limits);
@@ -147,7 +170,14 @@ bool set_arc(PathSegment& segment, const Move& move, const AxisLimits& limits, d
   arc.radius_slope = (r1 - r0) * inverse;
   const double end_angle = arc.angle + sweep;
   arc.drift = {(x1 - r1 * std::cos(end_angle)) * inverse, (y1 - r1 * std::sin(end_angle)) * inverse};
+  arc.is_spiral = is_spiral(r0, r1);
+  arc.growth = (r1 - r0) / whole;
+  arc.share = arc_length * inverse;
   set_feed(segment, move, feed_length(move, step, arc_length, segment.length));
+  if (arc.is_spiral) {
+    set_spiral_limits(segment, limits, feed_now, std::min(r0, r1));
+    return true;
+  }
   set_arc_limits(segment, limits, feed_now, r0, r1, (r1 - r0) / sweep);
   return true;
 }
@@ -156,8 +186,16 @@ bool set_arc(PathSegment& segment, const Move& move, const AxisLimits& limits, d
 AxisVector arc_tangent(const PathSegment& segment, double x, double y) {
   const ArcPath& arc = segment.arc;
   const double radius = std::hypot(x, y);
-  const double radial = arc.radius_slope / radius;
   AxisVector tangent = segment.slope;
+  if (arc.is_spiral) {
+    const double along = arc.share / std::hypot(radius, arc.growth);
+    const double turn = arc.angle_slope < 0.0 ? -along : along;
+    const double radial = along * arc.growth / radius;
+    tangent.values[arc.first] = radial * x - turn * y + arc.drift[0];
+    tangent.values[arc.second] = radial * y + turn * x + arc.drift[1];
+    return tangent;
+  }
+  const double radial = arc.radius_slope / radius;
   tangent.values[arc.first] = radial * x - arc.angle_slope * y + arc.drift[0];
   tangent.values[arc.second] = radial * y + arc.angle_slope * x + arc.drift[1];
   return tangent;
@@ -166,6 +204,36 @@ AxisVector arc_tangent(const PathSegment& segment, double x, double y) {
 void extend(AxisVector& low, AxisVector& high, std::size_t axis, double value) {
   low.values[axis] = std::min(low.values[axis], value);
   high.values[axis] = std::max(high.values[axis], value);
+}
+
+/// With the unit vectors e outwards and t along the turn, and w = sqrt(r2 + k2): the way turns by 1 / w a
+/// unit, runs along (k e + r t) / w, and that changes by (2 k t - r e) / w2 - (k e + r t) r k / w4.
+void evaluate_spiral(const PathSegment& segment, double s, double speed, double acceleration,
+                     PathPoint& point) {
+  const ArcPath& arc = segment.arc;
+  const double k = arc.growth;
+  const double way = arc.share * segment.length;
+  const double turned = angle_after({arc.radius, k}, std::clamp(arc.share * s, 0.0, way),
+                                    std::abs(arc.angle_slope) * segment.length);
+  const double side = arc.angle_slope < 0.0 ? -1.0 : 1.0;
+  const double angle = arc.angle + side * turned;
+  const Vec2 e{std::cos(angle), std::sin(angle)};
+  const Vec2 t = side * left_of(e);
+  const double radius = arc.radius + k * turned;
+  const double w2 = radius * radius + k * k;
+  const double w = std::sqrt(w2);
+  const Vec2 along = (k * e + radius * t) / w;
+  const Vec2 bend = (2.0 * k * t - radius * e) / w2 - along * (radius * k / (w2 * w));
+  const Vec2 drift{arc.drift[0], arc.drift[1]};
+  const Vec2 position = Vec2{arc.center[0], arc.center[1]} + radius * e + s * drift;
+  const Vec2 velocity = speed * (arc.share * along + drift);
+  const Vec2 rate = acceleration * (arc.share * along + drift) + (square(speed) * square(arc.share)) * bend;
+  point.position.values[arc.first] = position.x;
+  point.position.values[arc.second] = position.y;
+  point.velocity.values[arc.first] = velocity.x;
+  point.velocity.values[arc.second] = velocity.y;
+  point.acceleration.values[arc.first] = rate.x;
+  point.acceleration.values[arc.second] = rate.y;
 }
 
 void evaluate_in_its_plane(const PathSegment& segment, double s, double speed, double acceleration,
@@ -177,6 +245,7 @@ void evaluate_in_its_plane(const PathSegment& segment, double s, double speed, d
   }
   if (!segment.is_arc) return;
   const ArcPath& arc = segment.arc;
+  if (arc.is_spiral) return evaluate_spiral(segment, s, speed, acceleration, point);
   const double angle = arc.angle + arc.angle_slope * s;
   const double x = std::cos(angle);
   const double y = std::sin(angle);

@@ -37,18 +37,22 @@ struct PathPoint {
   AxisVector acceleration;  ///< mm/s2 or degree/s2, tangential and centripetal
 };
 
-/// The circle of an arc, as functions of s. Start and end radius may differ a little (spiral), and the end
-/// point may lie off the programmed angle by rounding: `drift` spreads that over the arc so that both ends
-/// are exact.
+/// The circle of an arc, as functions of s. Where start and end radius differ by rounding or a little, radius
+/// and angle go evenly with s; where they differ more, s is true to the way along the spiral. The end point
+/// may lie off the programmed angle by rounding: `drift` spreads that over the arc so that both ends are
+/// exact.
 struct ArcPath {
   std::uint8_t first = 0;  ///< plane axes
   std::uint8_t second = 1;
   std::array<double, 2> center{};
   double angle = 0.0;         ///< of the start, radians
-  double angle_slope = 0.0;   ///< d angle / ds
+  double angle_slope = 0.0;   ///< d angle / ds; of a spiral the mean
   double radius = 0.0;        ///< at the start
-  double radius_slope = 0.0;  ///< d radius / ds
+  double radius_slope = 0.0;  ///< d radius / ds; of a spiral the mean
   std::array<double, 2> drift{};
+  bool is_spiral = false;  ///< and not just out of round
+  double growth = 0.0;     ///< of a spiral: of the radius, mm a radian
+  double share = 1.0;      ///< way in the plane for a unit of s
 };
 
 /// From the coordinates of a polar plane, in which everything else of the segment is given, to those of its
@@ -101,7 +105,7 @@ inline constexpr double kCentripetalShare = 0.8;
 void set_path(PathSegment& segment, const Move& move, const AxisLimits& limits, double feed_now);
 
 /// Direction of travel d position / ds at the start and the end, in a polar plane in its coordinates; of
-/// length 1 except on spirals.
+/// length 1, on arcs that are a little out of round nearly so.
 AxisVector start_tangent(const PathSegment& segment);
 AxisVector end_tangent(const PathSegment& segment);
 

@@ -13,7 +13,7 @@ constexpr double kUnlimited = 1e30;
 
 /// Plane way for a unit of s.
 double plane_share(const PathSegment& segment) {
-  if (segment.is_arc) return std::abs(segment.arc.angle_slope) * segment.arc.radius;
+  if (segment.is_arc) return segment.arc.share;
   return std::hypot(segment.slope.values[segment.polar.linear], segment.slope.values[segment.polar.rotary]);
 }
 

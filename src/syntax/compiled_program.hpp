@@ -25,6 +25,7 @@ enum class StatementKind : std::uint8_t {
   while_do,    ///< enters the loop `loop`; to `jump` when `condition` is given and does not hold
   end_do,      ///< back to `jump`, the WHILE or DO of the loop
   branch,      ///< to `jump` unless `condition` is given and holds
+  go_back,     ///< to the caller; in the main program without effect
   nothing,     ///< a label, an ENDIF
   fault,       ///< raises fault number `jump`
 };

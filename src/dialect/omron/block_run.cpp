@@ -21,8 +21,12 @@ BlockRun::BlockRun(const Rules& rules, const Block& block, State& state, ActionQ
 bool BlockRun::run() {
   if (is_skipped()) return true;
   if (!words_.collect(block_, alarm)) return false;
-  return executable() && early_m_code() && modal() && ramps() && feed() && spindle_speed() && operation() &&
-         m_code() && every_word_used();
+  const bool done = executable() && early_m_code() && modal() && ramps() && feed() && spindle_speed() &&
+                    operation() && m_code() && every_word_used();
+  // In continuous-path mode a block without a movement is a stop, unless blocks are planned together.
+  const bool together = registers.modal[Group::multi_block] == code(500);
+  if (!moved_ && !block_.words.empty() && !together) registers.placement.rest_wanted = true;
+  return done;
 }
 
 void BlockRun::take_over() {

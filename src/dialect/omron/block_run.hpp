@@ -100,6 +100,7 @@ class BlockRun {
   BlockWords words_;
   double unit_mm_ = 1.0;  ///< of a length in the block
   std::bitset<128> used_;
+  bool moved_ = false;  ///< the block gave a move
   bool taking_over_ = false;
 };
 

@@ -48,6 +48,7 @@ bool BlockWords::take_g_code(const Block& block, const Word& word, std::optional
   // G09 stands beside other codes: it changes how a block ends, not what it does.
   if (row->number == code(9)) {
     exact_stop_ = true;
+    exact_stop_leads_ = axes_.empty();
     return true;
   }
   const auto group = static_cast<std::size_t>(row->group);

@@ -19,6 +19,8 @@ class BlockWords {
   CodeNumber operator[](Group group) const { return codes_[static_cast<std::size_t>(group)]; }
   bool has(Group group) const { return (*this)[group] != kNoCode; }
   bool has_exact_stop() const { return exact_stop_; }
+  /// G09 stands in front of the axis words.
+  bool exact_stop_leads() const { return exact_stop_leads_; }
   /// The word that holds the group's code.
   const Word& word(Group group) const { return *code_at_[static_cast<std::size_t>(group)]; }
 
@@ -40,6 +42,7 @@ class BlockWords {
   AxisSet axes_;
   std::int32_t m_code_ = -1;
   bool exact_stop_ = false;
+  bool exact_stop_leads_ = false;
 };
 
 }  // namespace kerf::omron

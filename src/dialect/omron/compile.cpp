@@ -20,6 +20,14 @@ void keep_faults(CompiledProgram& program, const std::vector<ParseFault>& faults
   }
 }
 
+/// The return that conversion puts behind every subprogram (manual A-1-1).
+void add_footer(CompiledProgram& program) {
+  Statement footer;
+  footer.kind = StatementKind::go_back;
+  footer.first_of_block = false;
+  program.statements.push_back(footer);
+}
+
 }  // namespace
 
 std::shared_ptr<const CompiledProgram> compile(std::shared_ptr<const Source> source, std::int32_t number) {
@@ -31,6 +39,7 @@ std::shared_ptr<const CompiledProgram> compile(std::shared_ptr<const Source> sou
   std::vector<ParseFault> faults;
   ProgramParser(*program, code, text).run(faults);
   if (!faults.empty()) keep_faults(*program, faults);
+  if (faults.empty()) add_footer(*program);
   return program;
 }
 

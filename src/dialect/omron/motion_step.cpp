@@ -7,6 +7,7 @@
 #include "execute/grid.hpp"
 #include "execute/moves.hpp"
 #include "geometry/arc_construction.hpp"
+#include "geometry/spiral.hpp"
 
 namespace kerf::omron {
 namespace {
@@ -95,7 +96,10 @@ bool BlockRun::push(MoveMode mode, const AxisVector& end, const AxisVector& comm
   move.plane = plane;
   move.arc = arc;
   move.each_axis = rapid;
-  move.from_rest = std::exchange(placement.rest_wanted, false);
+  // The manual's text has G09 stop at the end of its block, its example also in front of it (OMR-184).
+  const bool rest_wanted = std::exchange(placement.rest_wanted, false);
+  move.from_rest = rest_wanted || (words_.has_exact_stop() && words_.exact_stop_leads());
+  moved_ = true;
   move.path_mode = registers.modal[Group::path_mode] == code(61) ? PathMode::exact_stop : PathMode::cutting;
   move.exact_stop = words_.has_exact_stop() || move.path_mode == PathMode::exact_stop;
   if (!rapid) move.feed = effective_feed(move);
@@ -122,7 +126,7 @@ double BlockRun::effective_feed(const Move& move) const {
   if (is_arc(move.mode)) {
     const double end_radius =
         kerf::distance(point_of(move.plane, move.end), {move.arc.center[0], move.arc.center[1]});
-    counted = radians(std::abs(move.arc.sweep)) * 0.5 * (move.arc.radius + end_radius);
+    counted = way_of_arc(move.arc.radius, end_radius, radians(std::abs(move.arc.sweep)));
     straight = std::hypot(counted, kSpace.contains(move.plane.third) ? way[move.plane.third] : 0.0);
   }
   const double minutes = std::max(straight / registers.feed, turn / settings_.rotary_velocity);
