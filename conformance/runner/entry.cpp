@@ -28,7 +28,7 @@ struct Form {
 };
 
 constexpr std::string_view kMoveNumbers =
-    "axes m-axes c-axes s-axes center-axes F radius sweep line n program";
+    "axes m-axes c-axes s-axes center-axes F radius sweep turns line n program";
 
 constexpr std::array kEvents{
     Form{"rapid", "", 0, 0, kMoveNumbers, ""},

@@ -59,6 +59,7 @@ struct Describe {
     add_axes(event, "", axes, move.end - around.work_origin);
     if (move.mode != MoveMode::rapid) event.fields.push_back({"F", around.policy.effective(move.feed)});
     if (is_arc(move.mode)) add_arc(event, move, around.work_origin);
+    event.fields.push_back({"turns", move.spindle_turns});
     add_axes(event, "m", axes, move.end);
     add_axes(event, "c", axes, move.commanded);
     add_axes(event, "s", axes, move.start - around.work_origin);

@@ -139,6 +139,7 @@ struct Move {
   bool rounds_corner = false;  ///< an arc that was put into a corner
   double inner_corner_deg = 0.0;  ///< of a compensated move: angle of the inner corner at its end, on the
                                   ///< tool's side; 0: there is none between cutting moves
+  double spindle_turns = 0.0;     ///< that a spindle turning with the axes makes along it, clockwise positive
   double normal_zero = 0.0;       ///< with normal_line: machine coordinate of its axis at 0 degrees, degrees
   double feed = 0.0;  ///< programmed mm/min, before override; of a rapid move the highest speed of any axis,
                       ///< 0: the axes' own

@@ -9,6 +9,7 @@
 #include "execute/drilling_cycle.hpp"
 #include "execute/program_flow.hpp"
 #include "execute/state.hpp"
+#include "execute/tapping_cycle.hpp"
 #include "syntax/block.hpp"
 #include "syntax/block_reader.hpp"
 
@@ -36,6 +37,7 @@ using ProgramTexts = std::function<ProgramText(std::int32_t number)>;
 /// What a block sets going besides its own actions.
 struct BlockEffects {
   DrillingCycle cycle;
+  TappingCycle tapping;
   FlowRequest flow;
 };
 

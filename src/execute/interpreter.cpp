@@ -46,6 +46,8 @@ const Action* Interpreter::next() {
     if (stopped_) return nullptr;
     if (effects_.cycle.running()) {
       effects_.cycle.step(state_.registers, rules_->work_origin(state_), queue_);
+    } else if (effects_.tapping.running()) {
+      effects_.tapping.step(queue_);
     } else if (finished_) {
       return nullptr;
     } else if (auto* reader = std::get_if<BlockReader>(&feed_)) {

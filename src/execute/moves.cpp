@@ -16,6 +16,7 @@ Move& push_pathless(MoveMode mode, double feed, ActionQueue& queue) {
   move.rounds_corner = false;
   move.inner_corner_deg = 0.0;
   move.normal_zero = 0.0;
+  move.spindle_turns = 0.0;
   move.last_axis = Axis::X;
   move.plane = kPlaneXY;
   move.compensation = {};

@@ -186,6 +186,10 @@ void JsonLines::write_move(const Origin& origin, const Move& move, std::string& 
   }
   if (is_arc(move.mode)) write_arc(move, out);
   if (move.polar.form == PolarForm::axes) write_polar(move.polar, out);
+  if (move.spindle_turns != 0.0) {
+    out += ",\"spindle_turns\":";
+    append_number(out, move.spindle_turns);
+  }
   out += '}';
 }
 

@@ -21,8 +21,9 @@ BlockRun::BlockRun(const Rules& rules, const Block& block, State& state, ActionQ
 bool BlockRun::run() {
   if (is_skipped()) return true;
   if (!words_.collect(block_, alarm)) return false;
-  const bool done = executable() && early_m_code() && modal() && ramps() && feed() && spindle_speed() &&
-                    operation() && m_code() && every_word_used();
+  in_cycle_ = registers.modal[Group::fixed_cycle] != code(80);
+  const bool done = executable() && cycle_allowed() && early_m_code() && modal() && ramps() && feed() &&
+                    spindle_speed() && operation() && m_code() && every_word_used();
   // In continuous-path mode a block without a movement is a stop, unless blocks are planned together.
   const bool together = registers.modal[Group::multi_block] == code(500);
   if (!moved_ && !block_.words.empty() && !together) registers.placement.rest_wanted = true;
@@ -46,10 +47,9 @@ bool BlockRun::is_skipped() const {
 }
 
 bool BlockRun::executable() {
-  for (const Group group : {Group::radius_compensation, Group::fixed_cycle}) {
-    const bool off = words_[group] == code(40) || words_[group] == code(80);
-    if (words_.has(group) && !off) return refuse("not-executed", span(words_.word(group)));
-  }
+  const Group radius = Group::radius_compensation;
+  if (words_.has(radius) && words_[radius] != code(40))
+    return refuse("not-executed", span(words_.word(radius)));
   if (words_[Group::one_shot] == code(31)) return refuse("not-executed", span(words_.word(Group::one_shot)));
   return true;
 }
@@ -93,6 +93,7 @@ bool BlockRun::operation() {
   if (words_.has(Group::one_shot)) return one_shot();
   if (words_[Group::scaling] == code(51) || words_.has(Group::mirror) || words_[Group::rotation] == code(68))
     return true;  // its words are those of the code
+  if (registers.modal[Group::fixed_cycle] != code(80)) return fixed_cycle();
   return motion();
 }
 

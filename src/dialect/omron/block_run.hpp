@@ -23,6 +23,7 @@ class BlockRun {
   Registers& registers;
   std::optional<Alarm> alarm;
   bool ends_program = false;
+  std::optional<TappingPlan> tapping;  ///< the cycle that the block starts
 
  private:
   // block_run.cpp
@@ -69,6 +70,13 @@ class BlockRun {
   double effective_feed(const Move& move) const;
   AxisVector real_position(const AxisVector& programmed, AxisSet named) const;
   void arrive(const AxisVector& programmed, AxisSet named);
+  // cycle_step.cpp
+  bool cycle_allowed();
+  bool fixed_cycle();
+  bool cycle_words();
+  bool cycle_level(char address, CycleLevel& level);
+  double level_of(const CycleLevel& level, double from) const;
+  bool cycle_inside_travel(const TappingPlan& plan);
   // reference_step.cpp
   bool local_system();
   bool machine_move();
@@ -100,7 +108,8 @@ class BlockRun {
   BlockWords words_;
   double unit_mm_ = 1.0;  ///< of a length in the block
   std::bitset<128> used_;
-  bool moved_ = false;  ///< the block gave a move
+  bool in_cycle_ = false;  ///< a fixed cycle was in force before the block
+  bool moved_ = false;     ///< the block gave a move
   bool taking_over_ = false;
 };
 

@@ -14,6 +14,8 @@ bool BlockRun::modal() {
                             Group::fixed_cycle, Group::radius_compensation}) {
     if (words_.has(group)) registers.modal.set(group, words_[group]);
   }
+  // G00 to G03 between a cycle and its G80 end it.
+  if (in_cycle_ && words_.has(Group::motion)) registers.modal.set(Group::fixed_cycle, code(80));
   return work_system() && transformations() && length_offset() && parameter_set();
 }
 

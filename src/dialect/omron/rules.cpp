@@ -96,6 +96,7 @@ BlockOutcome Rules::execute(const Block& block, State& state, ActionQueue& queue
     queue.push<Alarm>() = *run.alarm;
     return BlockOutcome::alarm;
   }
+  if (run.tapping) effects.tapping.start(*run.tapping, queue.origin());
   if (!run.ends_program) return BlockOutcome::done;
   finish(state, queue);
   return BlockOutcome::ended;

@@ -62,6 +62,11 @@ constexpr Parameter kParameters[] = {
     number(kDefaults, "omron.deceleration_time", "100.0", "ms", 0, 250000,
            "Deceleration time until a program has td."),
     number(kDefaults, "omron.jerk_time", "0.0", "ms", 0, 125000, "Jerk time until a program has ts."),
+    Parameter{.key = "omron.spindle_axis",
+              .type = ValueType::boolean,
+              .default_value = "true",
+              .help = "Whether the spindle is an axis of the coordinate system: tapping turns it with Z.",
+              .group = kSpindle},
     number(kSpindle, "omron.spindle_maximum_speed", "10000.0", "r/min", 0, 1e6, "Highest S of a program."),
     number(kSpindle, "omron.spindle_orientation_velocity", "100.0", "r/min", 0, 1e6, "Speed of M19."),
     text(kMCodeGroup, "omron.immediate_m_codes",
@@ -149,6 +154,7 @@ ControllerSettings controller_settings(const Settings& settings, const Machine& 
   c.acceleration_time = settings.number("omron.acceleration_time");
   c.deceleration_time = settings.number("omron.deceleration_time");
   c.jerk_time = settings.number("omron.jerk_time");
+  c.has_spindle_axis = settings.boolean("omron.spindle_axis");
   c.spindle_maximum = settings.number("omron.spindle_maximum_speed");
   c.orientation_velocity = settings.number("omron.spindle_orientation_velocity");
   c.tool_m_code = static_cast<std::int32_t>(settings.integer("omron.tool_m_code"));

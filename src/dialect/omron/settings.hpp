@@ -31,6 +31,7 @@ struct ControllerSettings {
   double orientation_velocity = 0.0;  ///< r/min
   std::int32_t tool_m_code = -1;      ///< whose argument VA is the tool that is selected; -1: none
   std::int32_t tool = 0;              ///< selected at the start; 0: none
+  bool has_spindle_axis = true;
   bool optional_stop = false;
   std::bitset<32> skips;  ///< optional skip signals that are on, by number
   std::array<OutputTiming, kMCodes> timing{};
