@@ -7,8 +7,9 @@
 namespace kerf::conformance {
 namespace {
 
-constexpr double kIdealAcceleration = 1e9;  // mm/s2: moves take distance over feed
-constexpr double kIdealJerk = 1e15;         // mm/s3
+constexpr double kIdealAcceleration = 1e9;        // mm/s2: moves take distance over feed
+constexpr std::uint32_t kMostRounds = 4'000'000;  // an endless loop is found out without waiting for it
+constexpr double kIdealJerk = 1e15;               // mm/s3
 
 Entry refusal(const SettingsError& error) {
   Entry event;
@@ -76,6 +77,7 @@ Rig::Rig(Controller controller, bool recover) : controller_(std::move(controller
     const auto other = others->find(number);
     return other == others->end() ? ProgramText{} : ProgramText{Source::from_text("case", other->second)};
   };
+  controller_.interpreter_options.most_rounds = kMostRounds;
   for (const Axis axis : controller_.machine.axes) position_[axis] = controller_.machine[axis].start;
 }
 
