@@ -116,7 +116,8 @@ struct Registers {
   bool feed_given = false;
   bool normal_line_on = false;  ///< the axis of normal line control stands square to the path
   bool spindle_on = false;
-  bool unit_locked = false;  ///< a motion or coordinate setting was executed
+  bool unit_locked = false;           ///< a motion or coordinate setting was executed
+  bool offset_start_pending = false;  ///< radius compensation was commanded, and no move has started it yet
   bool offset_return_pending =
       false;                    ///< radius compensation was cancelled, the tool is not back on the path yet
   bool spindle_warned = false;  ///< cutting with the spindle stopped was reported

@@ -41,7 +41,10 @@ struct RadiusCompensationPolicy {
   bool corner_arc_inside = false;     ///< corner arcs are made at inner corners too
   bool small_arcs_turn_over = false;  ///< an arc smaller than the tool is run on the far side of its centre
   bool drops_whole_turns = false;     ///< of an arc that the compensation makes longer than 360 degrees
-  bool stops_before_fault = false;    ///< the block that ends at an impossible corner is not made
+  bool rounds_acute = false;          ///< see CornerRules
+  bool feed_at_edge =
+      false;  ///< the feed along arcs is that of the programmed path, not of the tool's centre
+  bool stops_before_fault = false;  ///< the block that ends at an impossible corner is not made
   InterferenceCheck interference = InterferenceCheck::none;
   std::size_t interference_blocks = 4;  ///< farther apart than this two blocks are not seen together
   const AlarmKind* interference_alarm = nullptr;  ///< must be given with a check

@@ -165,11 +165,28 @@ Corner crossover_corner(const OffsetSegment& first, const OffsetSegment& next, c
     const Vec2 turning = turning_point(at, tangent_in, tangent_out, rules.left_mm);
     return straight_between(turning, turning);
   }
+  if (rules.rounds_acute && angle < 90.0 - kAngleRounding) {
+    Corner corner = straight_between(first.offset.end, next.offset.start);
+    corner.round = true;
+    corner.about = at;
+    return corner;
+  }
   Corner corner;
   if (first.offset.is_arc) add_point(corner, first.offset.end);
   add_outer_points(corner, angle, at, tangent_in, tangent_out, rules.left_mm);
   if (next.offset.is_arc) add_point(corner, next.offset.start);
   return corner;
+}
+
+PlanarSegment way_between(const Corner& corner, std::size_t behind, double left_mm) {
+  const Vec2 from = corner.points[behind - 1];
+  const Vec2 to = corner.points[behind];
+  if (!corner.round) return straight(from, to);
+  // At an outer corner the tool turns away from its own side.
+  const bool clockwise = left_mm > 0.0;
+  double sweep = ahead_deg(from - corner.about, to - corner.about, clockwise);
+  if (sweep <= 0.0) sweep += 360.0;
+  return curved(from, to, corner.about, std::abs(left_mm), clockwise ? -sweep : sweep);
 }
 
 Corner side_change_corner(const OffsetSegment& first, const OffsetSegment& next) {

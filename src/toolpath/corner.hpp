@@ -20,6 +20,7 @@ struct CornerRules {
   double small_angle_deg =
       1.0;  ///< at such outer angles type B falls back to A, and inner angles join straight
   double joint_gap_mm = 0.01;  ///< parallels that miss each other by no more are joined straight
+  bool rounds_acute = false;   ///< acute outer corners are gone around on an arc about the corner
 };
 
 /// A programmed segment and the path of the tool centre beside it.
@@ -60,13 +61,16 @@ enum class CornerFault : std::uint8_t {
 };
 
 /// The way of the tool centre around a corner: the first segment ends at the first point, the tool goes
-/// straight from point to point, and the second segment begins at the last.
+/// straight from point to point or, around a round corner, on an arc, and the second segment begins at the
+/// last.
 struct Corner {
   FixedVector<Vec2, 4> points;  ///< never empty without a fault; neighbours are at least 1e-6 mm apart
   bool gentle = false;  ///< of two straight segments that turn by less than a right angle: the one point
                         ///< where their parallels meet. The tool keeps out of both on its way there and
                         ///< from there.
   bool fixed = false;   ///< commanded by the program: no interference removes it
+  bool round = false;   ///< an arc about `about` leads from the first of two points to the second
+  Vec2 about;           ///< of a round corner: the programmed corner
   CornerFault fault = CornerFault::none;
   double gap_mm = 0.0;  ///< with CornerFault::apart: the distance by which the parallels miss each other
 };
@@ -81,6 +85,9 @@ inline Vec2 turning_point(Vec2 at, Vec2 tangent_in, Vec2 tangent_out, double lef
 inline bool is_gentle(double turn_cosine) {
   return turn_cosine > 1e-6;
 }
+
+/// The way of the tool between two neighbouring points of the corner, `behind` the place of the second.
+PlanarSegment way_between(const Corner& corner, std::size_t behind, double left_mm);
 
 inline constexpr double kSamePoint = 1e-6;  ///< mm; joints shorter than this are left out
 

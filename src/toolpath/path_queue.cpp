@@ -37,6 +37,14 @@ void PathQueue::add_joint(const Origin& origin, const Move& like, const AxisVect
   joint.arc = {};
 }
 
+void PathQueue::add_arc_joint(const Origin& origin, const Move& like, const AxisVector& end, const Arc& arc) {
+  Move& joint = add_move(origin, like, end);
+  joint.mode = arc.sweep < 0.0 ? MoveMode::clockwise : MoveMode::counterclockwise;
+  joint.rotary_feed = {};
+  joint.inner_corner_deg = 0.0;
+  joint.arc = arc;
+}
+
 void PathQueue::add_rejoined(const Origin& origin, const Move& move) {
   if (is_arc(move.mode) && position_ != move.start) add_joint(origin, move, move.start);
   add_move(origin, move);

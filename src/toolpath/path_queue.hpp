@@ -55,6 +55,9 @@ class PathQueue {
   /// Adds a straight move with the mode (linear for an arc), feed and commanded end of another.
   void add_joint(const Origin& origin, const Move& like, const AxisVector& end);
 
+  /// The same for an arc around a centre, mm, by a sweep in degrees.
+  void add_arc_joint(const Origin& origin, const Move& like, const AxisVector& end, const Arc& arc);
+
   /// Adds a move as the program has it, from wherever the tool is: an arc is preceded by a straight move to
   /// its start.
   void add_rejoined(const Origin& origin, const Move& move);

@@ -165,7 +165,9 @@ class RadiusCompensationPass {
   }
   Vec2 facing() const;
   Vec2 vector_of(const RadiusCompensation& compensation, double left_mm) const;
-  CornerRules rules() const { return {left_mm_, policy_.small_angle_deg, policy_.joint_gap_mm}; }
+  CornerRules rules() const {
+    return {left_mm_, policy_.small_angle_deg, policy_.joint_gap_mm, policy_.rounds_acute};
+  }
   HeldMove& held() { return moves_[held_at_]; }
   const HeldMove& held() const { return moves_[held_at_]; }
   const HeldMove& before_move() const { return moves_[(held_at_ + 2) % 3]; }

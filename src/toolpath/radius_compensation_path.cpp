@@ -72,9 +72,14 @@ void RadiusCompensationPass::leave_before_and_stop() {
 }
 
 void RadiusCompensationPass::add_corner(const Corner& corner, const Action& like) {
+  const Move& move = std::get<Move>(like.what);
   for (std::size_t i = 1; i < corner.points.size(); ++i) {
-    out_.add_joint(like.origin, std::get<Move>(like.what),
-                   with_point(out_.position(), plane_, corner.points[i]));
+    const AxisVector to = with_point(out_.position(), plane_, corner.points[i]);
+    const PlanarSegment way = way_between(corner, i, left_mm_);
+    if (way.is_arc)
+      out_.add_arc_joint(like.origin, move, to, {{way.center.x, way.center.y}, way.radius, way.sweep_deg});
+    else
+      out_.add_joint(like.origin, move, to);
   }
 }
 
@@ -132,6 +137,7 @@ bool RadiusCompensationPass::interferes(Corner& corner, const Action& action, co
     neighbours.behind = is_contour ? &next : nullptr;
   }
   const Interference found = remove_interference(before_->corner, held().segment, corner, neighbours);
+  for (Corner* one : {&before_->corner, &corner}) one->round = one->round && one->points.size() == 2;
   if (found == Interference::partly)
     held().segment.offset = straight(before_->corner.points.back(), corner.points[0]);
   if (found == Interference::wholly && !goes_around(corner, next, is_contour)) return refuse_before();
@@ -178,7 +184,7 @@ bool RadiusCompensationPass::before_keeps_clear(const OffsetSegment* next) const
       return false;
   }
   for (std::size_t i = 1; i < corner.points.size(); ++i) {
-    const PlanarSegment way = straight(corner.points[i - 1], corner.points[i]);
+    const PlanarSegment way = way_between(corner, i, own.left_mm);
     if (has_before && !keeps_clear(own, way)) return false;
     if (!held().computed) continue;
     if (!keeps_clear(held().segment, way) || (next != nullptr && !keeps_clear(*next, way))) return false;
@@ -285,6 +291,8 @@ void RadiusCompensationPass::add_segment(const Action& action, const OffsetSegme
   const PlanarSegment way = way_of(segment, end);
   if (!way.is_arc && goes_nowhere(plane_, out_.position(), to)) return;
   Move& move = out_.add_move(action.origin, like, to);
+  if (policy_.feed_at_edge && way.is_arc && segment.programmed.radius > 0.0)
+    move.feed *= segment.offset.radius / segment.programmed.radius;
   if (way.is_arc)
     move.arc = {{way.center.x, way.center.y}, way.radius, way.sweep_deg};
   else if (is_arc(move.mode))

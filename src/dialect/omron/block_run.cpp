@@ -47,9 +47,6 @@ bool BlockRun::is_skipped() const {
 }
 
 bool BlockRun::executable() {
-  const Group radius = Group::radius_compensation;
-  if (words_.has(radius) && words_[radius] != code(40))
-    return refuse("not-executed", span(words_.word(radius)));
   if (words_[Group::one_shot] == code(31)) return refuse("not-executed", span(words_.word(Group::one_shot)));
   return true;
 }

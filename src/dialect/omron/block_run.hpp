@@ -56,6 +56,7 @@ class BlockRun {
   bool work_system();
   bool plane();
   bool length_offset();
+  const Tool* selected_tool() const;
   bool parameter_set();
   // motion_step.cpp
   bool motion();
@@ -70,6 +71,15 @@ class BlockRun {
   double effective_feed(const Move& move) const;
   AxisVector real_position(const AxisVector& programmed, AxisSet named) const;
   void arrive(const AxisVector& programmed, AxisSet named);
+  // radius_step.cpp
+  bool radius_compensation();
+  bool compensate(Move& move);
+  bool starts(const Move& move);
+  bool ends(const Move& move);
+  bool compensation_allows_m_code();
+  bool compensates() const { return registers.modal[Group::radius_compensation] != code(40); }
+  /// From G41 or G42 to the move behind G40.
+  bool is_compensating() const { return compensates() || registers.offset_return_pending; }
   // cycle_step.cpp
   bool cycle_allowed();
   bool fixed_cycle();

@@ -40,15 +40,24 @@ std::vector<SettingsError> contradictions(const Settings& settings) {
   return errors;
 }
 
-ToolpathPolicy toolpath_policy(const Settings&) {
+ToolpathPolicy toolpath_policy(const Settings& settings) {
   ToolpathPolicy policy;
-  // Compensation codes are refused as not executed, so that none of these can be raised yet.
-  policy.compensation.start_with_arc = &alarm_kind("not-executed");
-  policy.compensation.end_with_arc = &alarm_kind("not-executed");
-  policy.compensation.inner_arc_radius = &alarm_kind("not-executed");
-  policy.compensation.no_crossover = &alarm_kind("not-executed");
-  policy.compensation.side_change = &alarm_kind("not-executed");
-  policy.compensation.corner_arc_outside = &alarm_kind("not-executed");
+  constexpr std::size_t kFarAhead = 60;  // blocks without movement that the controller looks across
+  const bool prevents = settings.text("omron.overcut_operation_mode") == "prevention";
+  policy.compensation.start_type = StartType::A;
+  policy.compensation.small_angle_deg = 0.0;
+  policy.compensation.blocks_without_motion = policy.compensation.interference_blocks = kFarAhead;
+  policy.compensation.rounds_acute = true;
+  policy.compensation.feed_at_edge = settings.text("omron.compensated_feed") == "edge";
+  policy.compensation.stops_before_fault = true;
+  policy.compensation.interference = prevents ? InterferenceCheck::avoid : InterferenceCheck::alarm;
+  policy.compensation.interference_alarm = &alarm_kind("overcut");
+  policy.compensation.start_with_arc = &alarm_kind("compensation-start");
+  policy.compensation.end_with_arc = &alarm_kind("compensation-end");
+  policy.compensation.inner_arc_radius = &alarm_kind("compensation-radius");
+  policy.compensation.no_crossover = &alarm_kind("compensation-path");
+  policy.compensation.side_change = &alarm_kind("compensation-word");
+  policy.compensation.corner_arc_outside = &alarm_kind("syntax");
   policy.limits = {&alarm_kind("over-travel"), false};
   return policy;
 }

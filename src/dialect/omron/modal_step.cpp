@@ -10,13 +10,13 @@ namespace kerf::omron {
 bool BlockRun::modal() {
   if (words_.has(Group::unit)) registers.modal.set(Group::unit, words_[Group::unit]);
   if (!plane()) return false;
-  for (const Group group : {Group::motion, Group::distance, Group::path_mode, Group::return_level,
-                            Group::fixed_cycle, Group::radius_compensation}) {
+  for (const Group group :
+       {Group::motion, Group::distance, Group::path_mode, Group::return_level, Group::fixed_cycle}) {
     if (words_.has(group)) registers.modal.set(group, words_[group]);
   }
   // G00 to G03 between a cycle and its G80 end it.
   if (in_cycle_ && words_.has(Group::motion)) registers.modal.set(Group::fixed_cycle, code(80));
-  return work_system() && transformations() && length_offset() && parameter_set();
+  return work_system() && transformations() && radius_compensation() && length_offset() && parameter_set();
 }
 
 Plane BlockRun::plane_in_force() const {
@@ -33,6 +33,8 @@ Plane BlockRun::plane_in_force() const {
 bool BlockRun::plane() {
   if (!words_.has(Group::plane)) return true;
   const CodeNumber wanted = words_[Group::plane];
+  if (is_compensating() && wanted != registers.modal[Group::plane])
+    return refuse("compensation-word", span(words_.word(Group::plane)));
   if (registers.placement.rotation.active && wanted != registers.modal[Group::plane])
     return refuse("rotation-plane", span(words_.word(Group::plane)));
   registers.modal.set(Group::plane, wanted);
@@ -153,6 +155,13 @@ bool BlockRun::rotation() {
   return true;
 }
 
+const Tool* BlockRun::selected_tool() const {
+  const auto& tools = rules_.machine().tools;
+  const auto tool = std::find_if(tools.begin(), tools.end(),
+                                 [this](const Tool& one) { return one.number == registers.tool; });
+  return tool == tools.end() ? nullptr : &*tool;
+}
+
 /// The shift appears with the next move of the axis.
 bool BlockRun::length_offset() {
   if (!words_.has(Group::length_compensation)) return true;
@@ -161,10 +170,8 @@ bool BlockRun::length_offset() {
   registers.placement.length = {};
   if (wanted == code(49)) return true;
   const Axis axis = settings_.version_1_02 ? plane_in_force().third : Axis::Z;
-  const auto& tools = rules_.machine().tools;
-  const auto tool = std::find_if(tools.begin(), tools.end(),
-                                 [this](const Tool& one) { return one.number == registers.tool; });
-  const double length = tool == tools.end() ? 0.0 : tool->length;
+  const Tool* tool = selected_tool();
+  const double length = tool == nullptr ? 0.0 : tool->length;
   registers.placement.length[axis] = wanted == code(43) ? length : -length;
   return true;
 }

@@ -103,6 +103,9 @@ bool BlockRun::push(MoveMode mode, const AxisVector& end, const AxisVector& comm
   move.path_mode = registers.modal[Group::path_mode] == code(61) ? PathMode::exact_stop : PathMode::cutting;
   move.exact_stop = words_.has_exact_stop() || move.path_mode == PathMode::exact_stop;
   if (!rapid) move.feed = effective_feed(move);
+  if (!compensate(move)) return false;
+  if (move.compensation.side != Side::none)
+    return true;  // the toolpath knows where the tool goes, and checks it
   const Travel& travel = rules_.travel();
   if (travel.contains(move)) return true;
   const auto excess = travel.leaving(move);

@@ -53,6 +53,7 @@ OutputTiming BlockRun::m_timing() const {
 bool BlockRun::m_code() {
   const std::int32_t number = words_.m_code();
   if (number < 0) return true;
+  if (!compensation_allows_m_code()) return false;
   switch (number) {
     case 0:
       queue_.push<Stop>();

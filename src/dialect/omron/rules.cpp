@@ -78,7 +78,7 @@ void Rules::begin_program(State& state) const {
   release_transformations(r);
   r.cycle = {};
   r.feed = 0.0;
-  r.feed_given = r.spindle_on = false;
+  r.feed_given = r.spindle_on = r.offset_start_pending = r.offset_return_pending = false;
   r.spindle_rpm = 0.0;
   r.ramps = {settings_.acceleration_time, settings_.deceleration_time, settings_.jerk_time};
   r.program = r.sequence_number = -1;
