@@ -128,8 +128,7 @@ bool BlockRun::dwell() {
 
 bool BlockRun::every_word_used() {
   for (const Word& word : block_.words) {
-    if (word.address == 'G' || word.address == 'M' || used_.test(static_cast<std::size_t>(word.address)))
-      continue;
+    if (word.address == 'G' || word.address == 'M' || used_.test(place_of(word.address))) continue;
     if (kArguments.find(word.address) != std::string_view::npos) return refuse("m-code-words", span(word));
     return refuse(
         "unused-word", span(word),

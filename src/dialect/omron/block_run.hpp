@@ -102,7 +102,7 @@ class BlockRun {
   bool axis_value(Axis axis, double& value);
   bool refuse(std::string_view detail, const SourceSpan& where, const FixedText<200>& message = {});
   SourceSpan span(const Word& word) const { return span_of(block_, word); }
-  void use(char address) { used_.set(static_cast<std::size_t>(address)); }
+  void use(char address) { used_.set(place_of(address)); }
   /// Takes the word, if it stands in the block.
   const Word* take(char address);
   bool incremental() const { return registers.modal[Group::distance] == code(91); }

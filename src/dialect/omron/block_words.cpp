@@ -32,7 +32,7 @@ bool BlockWords::collect(const Block& block, std::optional<Alarm>& alarm) {
       if (!take_g_code(block, word, alarm)) return false;
       continue;
     }
-    const Word*& place = values_[static_cast<std::size_t>(word.address)];
+    const Word*& place = values_[place_of(word.address)];
     if (word.address == 'M' && !take_m_code(block, word, alarm)) return false;
     if (place != nullptr) return refuse(alarm, "repeated-word", span_of(block, word));
     place = &word;

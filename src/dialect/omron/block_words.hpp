@@ -11,6 +11,11 @@
 
 namespace kerf::omron {
 
+/// The place of an address, which is a plain letter, in a table of all of them.
+constexpr std::size_t place_of(char address) {
+  return static_cast<unsigned char>(address);
+}
+
 class BlockWords {
  public:
   /// False: `alarm` says what is wrong.
@@ -24,7 +29,7 @@ class BlockWords {
   /// The word that holds the group's code.
   const Word& word(Group group) const { return *code_at_[static_cast<std::size_t>(group)]; }
 
-  const Word* find(char address) const { return values_[static_cast<std::size_t>(address)]; }
+  const Word* find(char address) const { return values_[place_of(address)]; }
   /// The axis words, X Y Z A B C.
   AxisSet axes() const { return axes_; }
   const Word& axis(Axis axis) const { return *find(letter(axis)); }
