@@ -18,6 +18,9 @@ bool BlockRun::cycle_allowed() {
     if (words_.has(group)) return refuse_code(group);
   }
   if (words_.m_code() >= 0) return refuse("cycle-active", span(words_.m_word()));
+  if (words_.has(Group::radius_compensation)) return refuse_code(Group::radius_compensation);
+  if (is_compensating()) return refuse("compensation-word", block_.span);
+  if (words_.has_exact_stop()) return refuse("cycle-active", block_.span);
   if (starts && !in_cycle_) return true;
   for (const Group group :
        {Group::plane, Group::unit, Group::distance, Group::path_mode, Group::multi_block}) {
