@@ -128,6 +128,36 @@ TEST_F(CommandLine, OddTextsGiveAnAlarm) {
   EXPECT_EQ(kerf("check " + file("bom.nc", "\xEF\xBB\xBF%\nG21\nM02\n%\n")).status, 0);
 }
 
+TEST_F(CommandLine, ProgramsAreConvertedToIntermediateCode) {
+  const std::string program = file("1000.nc", "N01 G04 P100\nN02 M99 // End of subprogram\n");
+  const Outcome shown = kerf("convert --to pmc " + program);
+  EXPECT_EQ(shown.status, 0);
+  EXPECT_EQ(shown.out, "open subprog 1000\nN1 G04 P100 M999.002\nN2 M99 M999.002\nreturn\nclose\n");
+  const std::string written = file("out.pmc", "old");
+  EXPECT_EQ(kerf("convert --to pmc --number 7 " + program + " -o " + written).status, 0);
+  EXPECT_EQ(contents(written), "open prog 7\nN1 G04 P100 M999.002\nN2 M99 M999.002\nreturn\nclose\n");
+
+  // What is wrong is told, and an older result stays.
+  const Outcome faulty = kerf("convert --to pmc " + file("bad.nc", "G01 X\n") + " -o " + written);
+  EXPECT_EQ(faulty.status, 1);
+  EXPECT_NE(faulty.err.find("bad.nc:1:6"), std::string::npos) << faulty.err;
+  EXPECT_EQ(contents(written).substr(0, 11), "open prog 7");
+  EXPECT_EQ(kerf("convert --to xyz " + program).status, 2);
+  EXPECT_EQ(kerf("convert --to pmc " + file("good.nc", kGood)).status, 2);
+  EXPECT_EQ(kerf("convert --to pmc " + program + " -o " + program).status, 2);
+}
+
+TEST_F(CommandLine, BlockSkipsByNumber) {
+  const std::string program = file("skip.nc", "G01 F100\n/1 X1\n/2 X2\nM30\n");
+  EXPECT_NE(kerf("path --quiet " + program).out.find("moves 2"), std::string::npos);
+  EXPECT_NE(kerf("path --quiet --block-skip=2 " + program).out.find("moves 1"), std::string::npos);
+  EXPECT_NE(kerf("path --quiet --block-skip=1 --block-skip=2 " + program).out.find("moves 0"),
+            std::string::npos);
+  EXPECT_NE(kerf("path --quiet --block-skip " + program).out.find("moves 0"), std::string::npos);
+  EXPECT_EQ(kerf("path --block-skip=32 " + program).status, 2);
+  EXPECT_EQ(kerf("path --block-skip=2 " + file("good.nc", kGood)).status, 2);
+}
+
 TEST_F(CommandLine, WrongUsage) {
   EXPECT_EQ(kerf("").status, 2);
   const Outcome typo = kerf("chekc x.nc");

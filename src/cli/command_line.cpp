@@ -59,7 +59,10 @@ std::string color_number(std::string& word) {
 void add_program_options(CLI::App& command, CommonOptions& options) {
   add_machine_options(command, options);
   command.add_flag("--optional-stop", options.optional_stop, "M01 stops the program");
-  command.add_flag("--block-skip", options.block_skip, "Leave out blocks that begin with /");
+  command
+      .add_flag("--block-skip", options.block_skips,
+                "Leave out blocks that begin with /; --block-skip=N those with /N (OMRON), repeatable")
+      ->type_name("");
   command
       .add_option("--program-dir", options.program_dir,
                   "Where subprograms are looked up (default: the folder of FILE)")

@@ -37,7 +37,12 @@ std::optional<Controller> make(const CommonOptions& options, std::string_view na
   setup.dialect = options.dialect;
   setup.assignments = options.assignments;
   setup.optional_stop = options.optional_stop;
-  setup.block_skip = options.block_skip;
+  for (const std::string& skip : options.block_skips) {
+    if (skip == "true")
+      setup.block_skip = true;
+    else
+      setup.block_skip_numbers.push_back(skip);
+  }
   if (!read_machine_file(options, setup)) return std::nullopt;
   auto controller = make_controller(setup, name, text);
   if (!controller) {

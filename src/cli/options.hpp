@@ -14,7 +14,7 @@ struct CommonOptions {
   std::optional<std::string> machine_file;
   std::vector<std::string> assignments;
   bool optional_stop = false;
-  bool block_skip = false;
+  std::vector<std::string> block_skips;  ///< "true" for all blocks with a slash, or the number of a signal
   std::optional<std::string> program_dir;
   ColorChoice color = ColorChoice::automatic;
   bool verbose = false;

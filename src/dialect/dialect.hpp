@@ -40,8 +40,9 @@ struct Dialect {
   std::span<const std::string_view> not_shared;  ///< shared keys that mean nothing to it
   std::int32_t highest_tool = kHighestToolNumber;
   std::span<const DefaultOverride> defaults;  ///< its default machine
-  std::string_view optional_stop_key;  ///< machine-file key that `--optional-stop` switches on; empty: none
-  std::string_view block_skip_key;     ///< machine-file key that `--block-skip` switches on; empty: none
+  std::string_view optional_stop_key;    ///< machine-file key that `--optional-stop` switches on; empty: none
+  std::string_view block_skip_key;       ///< machine-file key that `--block-skip` switches on; empty: none
+  std::string_view block_skip_list_key;  ///< that lists the numbers of `--block-skip=N`; empty: none
 
   std::span<const KeyAlarm> key_alarms;      ///< its alarms for bad values of single keys
   std::span<const SharedName> shared_names;  ///< its manual's names of shared keys

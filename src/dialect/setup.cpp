@@ -57,6 +57,15 @@ tl::expected<Controller, std::vector<SettingsError>> make_controller(const Setup
     assignments.push_back(fmt::format("{}=true", (*dialect)->optional_stop_key));
   if (options.block_skip && !chosen.block_skip_key.empty())
     assignments.push_back(fmt::format("{}=true", (*dialect)->block_skip_key));
+  if (!options.block_skip_numbers.empty()) {
+    const std::string numbers = fmt::format("{}", fmt::join(options.block_skip_numbers, " "));
+    if (chosen.block_skip_list_key.empty())
+      errors.push_back({"--block-skip=" + numbers, 0, 0,
+                        fmt::format("{} has no numbers of block skips", chosen.title),
+                        "write --block-skip alone"});
+    else
+      assignments.push_back(fmt::format("{}=\"{}\"", chosen.block_skip_list_key, numbers));
+  }
   for (const std::string& assignment : assignments) {
     if (auto set = apply_assignment(settings, assignment); !set) errors.push_back(std::move(set.error()));
   }

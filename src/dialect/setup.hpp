@@ -20,6 +20,7 @@ struct SetupOptions {
   std::vector<std::string> assignments;     ///< `--set` values, KEY=VALUE
   bool optional_stop = false;
   bool block_skip = false;
+  std::vector<std::string> block_skip_numbers;  ///< of single signals, where the dialect has several
 };
 
 /// A controller without a program.

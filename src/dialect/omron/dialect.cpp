@@ -93,6 +93,7 @@ Dialect dialect() {
   d.defaults = default_machine();
   d.optional_stop_key = "omron.optional_stop";
   d.block_skip_key = "omron.all_block_skips";
+  d.block_skip_list_key = "omron.block_skip";
   d.file_names = file_names;
   d.variable_number = variable_named;
   d.conversions = kConversions;
