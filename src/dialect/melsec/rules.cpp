@@ -1,40 +1,21 @@
 #include "dialect/melsec/rules.hpp"
 
 #include <cmath>
-#include <map>
 
 #include "dialect/melsec/alarms.hpp"
 #include "dialect/melsec/block_run.hpp"
 #include "dialect/melsec/compile.hpp"
 #include "dialect/melsec/coordinate_block.hpp"
 #include "execute/grid.hpp"
+#include "execute/program_store.hpp"
 
 namespace kerf::melsec {
 namespace {
 
-/// Compiles each program once, when it is first called.
-class ProgramStore {
- public:
-  explicit ProgramStore(ProgramTexts texts) : texts_(std::move(texts)) {}
-
-  std::shared_ptr<const CompiledProgram> find(std::int32_t number) {
-    const auto known = programs_.find(number);
-    if (known != programs_.end()) return known->second;
-    auto [source, unreadable] = texts_(number);
-    std::shared_ptr<const CompiledProgram> program;
-    if (unreadable) {
-      program = refused_program(std::move(source), number, "0040H");
-    } else if (source != nullptr) {
-      program = compile(std::move(source), number);
-    }
-    programs_.emplace(number, program);
-    return program;
-  }
-
- private:
-  ProgramTexts texts_;
-  std::map<std::int32_t, std::shared_ptr<const CompiledProgram>> programs_;
-};
+std::shared_ptr<const CompiledProgram> compile_called(ProgramText text, std::int32_t number) {
+  if (text.unreadable) return refused_program(std::move(text.source), number, "0040H");
+  return text.source == nullptr ? nullptr : compile(std::move(text.source), number);
+}
 
 FlowAlarms flow_alarms() {
   // In the order of FlowFault.
@@ -60,10 +41,8 @@ Rules::Rules(const ControllerSettings& settings, const Machine& machine)
 
 BlockFeed Rules::open(std::shared_ptr<const Source> source, ProgramTexts others) const {
   const std::int32_t number = stored_number(source->name()).value_or(1);
-  auto store = std::make_shared<ProgramStore>(std::move(others));
-  return ProgramFlow(
-      compile(std::move(source), number), [store](std::int32_t wanted) { return store->find(wanted); },
-      flow_alarms());
+  return ProgramFlow(compile(std::move(source), number), compiled_once(std::move(others), compile_called),
+                     flow_alarms());
 }
 
 State Rules::initial_state() const {

@@ -1,33 +1,13 @@
 #include "dialect/omron/rules.hpp"
 
-#include <map>
-
 #include "dialect/omron/alarms.hpp"
 #include "dialect/omron/block_run.hpp"
 #include "dialect/omron/compile.hpp"
 #include "dialect/omron/variables.hpp"
+#include "execute/program_store.hpp"
 
 namespace kerf::omron {
 namespace {
-
-/// Compiles each program once, when it is first called.
-class ProgramStore {
- public:
-  explicit ProgramStore(ProgramTexts texts) : texts_(std::move(texts)) {}
-
-  std::shared_ptr<const CompiledProgram> find(std::int32_t number) {
-    const auto known = programs_.find(number);
-    if (known != programs_.end()) return known->second;
-    auto source = texts_(number).source;
-    auto program = source == nullptr ? nullptr : compile(std::move(source), number);
-    programs_.emplace(number, program);
-    return program;
-  }
-
- private:
-  ProgramTexts texts_;
-  std::map<std::int32_t, std::shared_ptr<const CompiledProgram>> programs_;
-};
 
 FlowAlarms flow_alarms() {
   FlowAlarms alarms;
@@ -44,10 +24,11 @@ Rules::Rules(const ControllerSettings& settings, const Machine& machine)
 
 BlockFeed Rules::open(std::shared_ptr<const Source> source, ProgramTexts others) const {
   const std::int32_t number = number_in_name(source->name());
-  auto store = std::make_shared<ProgramStore>(std::move(others));
-  return ProgramFlow(
-      compile(std::move(source), number), [store](std::int32_t wanted) { return store->find(wanted); },
-      flow_alarms());
+  const auto compiler = [](ProgramText text, std::int32_t called) {
+    return text.source == nullptr ? nullptr : compile(std::move(text.source), called);
+  };
+  return ProgramFlow(compile(std::move(source), number), compiled_once(std::move(others), compiler),
+                     flow_alarms());
 }
 
 State Rules::initial_state() const {
