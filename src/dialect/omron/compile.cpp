@@ -35,7 +35,7 @@ std::shared_ptr<const CompiledProgram> compile(std::shared_ptr<const Source> sou
   const std::string_view text = source->text();
   program->source = std::move(source);
   program->number = number;
-  IntermediateCode code;
+  IntermediateCode code(false);
   std::vector<ParseFault> faults;
   ProgramParser(*program, code, text).run(faults);
   if (!faults.empty()) keep_faults(*program, faults);
@@ -45,7 +45,7 @@ std::shared_ptr<const CompiledProgram> compile(std::shared_ptr<const Source> sou
 
 std::string intermediate_code(std::string_view text, std::int32_t number, std::vector<ParseFault>& faults) {
   CompiledProgram program;
-  IntermediateCode code;
+  IntermediateCode code(true);
   ProgramParser(program, code, text).run(faults);
   return faults.empty() ? code.text(number) : std::string();
 }

@@ -24,24 +24,35 @@ void IntermediateCode::begin_block(std::uint32_t line, int skip) {
   words_.clear();
   head_ = skip > 0 ? "cskip" + std::to_string(skip) + " " : std::string();
   head_ += "N" + std::to_string(line);
+  length_ = head_.size();
   cycle_starts_ = names_cycle_ = positions_ = returns_ = false;
+}
+
+void IntermediateCode::append(std::string_view word) {
+  length_ += 1 + word.size();
+  if (keeps_text_) words_.emplace_back(word);
 }
 
 void IntermediateCode::add_word(const Word& word) {
   std::string_view address = word.address;
   if (address.size() == 2 && address.front() == 'V') address.remove_prefix(1);  // an argument of an M code
+  const bool started = cycle_starts_;
   note_cycle(word.address, word.value);
   if (address == "M" && code_of(word.value) == 99) returns_ = true;
-  if (cycle_starts_ && words_.end() == std::find(words_.begin(), words_.end(), kCycleStarts))
-    words_.emplace_back(kCycleStarts);
+  if (cycle_starts_ && !started) append(kCycleStarts);
+  if (!keeps_text_) {
+    length_ += 1 + address.size() + word.value.size() + (word.is_variable ? 2 : 0);
+    return;
+  }
   std::string text(address);
   text += word.is_variable ? "(" + std::string(word.value) + ")" : std::string(word.value);
-  words_.push_back(std::move(text));
+  append(text);
 }
 
 void IntermediateCode::note_cycle(std::string_view address, std::string_view value) {
-  if (address == "X" || address == "Y" || address == "Z") positions_ = true;
-  if (address != "G") return;
+  const char letter = address.front();
+  if (letter == 'X' || letter == 'Y' || letter == 'Z') positions_ = true;
+  if (letter != 'G') return;
   const int code = code_of(value);
   if (code == 74 || code == 84) {
     std::string started = "G" + std::string(value);
@@ -54,8 +65,11 @@ void IntermediateCode::note_cycle(std::string_view address, std::string_view val
 }
 
 bool IntermediateCode::end_block() {
+  if (continues_cycle()) length_ += 1 + cycle_.size();
+  length_ += 1 + kEndOfBlock.size();
+  if (!keeps_text_) return length_ <= kLongestBlock;
   // In a block that goes on with the cycle its code stands behind the other codes.
-  if (!cycle_.empty() && positions_ && !names_cycle_) {
+  if (continues_cycle()) {
     const auto behind =
         std::find_if(words_.begin(), words_.end(), [](const std::string& word) { return word[0] != 'G'; });
     words_.insert(behind, cycle_);
@@ -73,11 +87,13 @@ bool IntermediateCode::end_block() {
 }
 
 bool IntermediateCode::add_line(std::string line) {
-  lines_.push_back(std::move(line));
-  return lines_.back().size() <= kLongestBlock;
+  const bool fits = line.size() <= kLongestBlock;
+  if (keeps_text_) lines_.push_back(std::move(line));
+  return fits;
 }
 
 void IntermediateCode::enclose(std::size_t first) {
+  if (!keeps_text_) return;
   lines_.insert(lines_.begin() + static_cast<std::ptrdiff_t>(first), "{");
   lines_.emplace_back("}");
 }

@@ -11,9 +11,11 @@ namespace kerf::omron {
 /// A block may be at most so long in intermediate code (manual 1-7).
 inline constexpr std::size_t kLongestBlock = 1020;
 
-/// Collects the lines of a program in their order.
+/// Collects the lines of a program in their order, or only looks at how long they are.
 class IntermediateCode {
  public:
+  explicit IntermediateCode(bool keeps_text) : keeps_text_(keeps_text) {}
+
   /// A word of a block, as it is written in the source, with the sign and digits of its value or the name of
   /// the variable that gives it.
   struct Word {
@@ -39,13 +41,17 @@ class IntermediateCode {
   std::string text(std::int32_t program) const;
 
  private:
+  void append(std::string_view word);
+  bool continues_cycle() const { return !cycle_.empty() && positions_ && !names_cycle_; }
   /// What a block does to the fixed cycle in force.
   void note_cycle(std::string_view address, std::string_view value);
 
+  const bool keeps_text_;
   std::vector<std::string> lines_;
   std::vector<std::string> words_;  ///< of the block begun
   std::string head_;
-  std::string cycle_;  ///< G74 or G84 while one is in force
+  std::size_t length_ = 0;  ///< of the block begun
+  std::string cycle_;       ///< G74 or G84 while one is in force
   bool cycle_starts_ = false;
   bool names_cycle_ = false;  ///< the block names it itself
   bool positions_ = false;

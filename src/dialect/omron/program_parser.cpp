@@ -113,6 +113,10 @@ bool ProgramParser::program_code(bool& found) {
     scanner_.skip();
     return scanner_.fail("syntax", "This brace closes nothing.", block_);
   }
+  if (scanner_.name().empty()) {  // most blocks
+    found = at_assignment();
+    return !found || assignments();
+  }
   if (scanner_.take_keyword("if")) return if_statement();
   if (scanner_.take_keyword("while")) return while_statement();
   if (scanner_.take_keyword("do")) return do_statement();
@@ -123,8 +127,8 @@ bool ProgramParser::program_code(bool& found) {
       return fail("syntax", stray == "else" ? "There is no if in front of this else."
                                             : "A case and a default stand directly inside of a switch.");
   }
-  found = at_assignment();
-  return !found || assignments();
+  found = false;  // ta, td or ts
+  return true;
 }
 
 bool ProgramParser::skip_number(int& skip) {

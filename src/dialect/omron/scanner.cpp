@@ -30,6 +30,7 @@ char Scanner::peek() {
 }
 
 char Scanner::at(std::size_t ahead) const {
+  if (ahead == 0) return ends_line(at_) ? '\0' : text_[at_];
   for (std::size_t i = 0; i <= ahead; ++i) {
     if (ends_line(at_ + i)) return '\0';
   }
