@@ -118,6 +118,7 @@ struct Registers {
   bool spindle_on = false;
   bool unit_locked = false;           ///< a motion or coordinate setting was executed
   bool offset_start_pending = false;  ///< radius compensation was commanded, and no move has started it yet
+  bool offset_unused = false;         ///< no move came behind the one that started radius compensation
   bool offset_return_pending =
       false;                    ///< radius compensation was cancelled, the tool is not back on the path yet
   bool spindle_warned = false;  ///< cutting with the spindle stopped was reported

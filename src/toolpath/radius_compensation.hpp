@@ -144,6 +144,7 @@ class RadiusCompensationPass {
   void settle();
   PlanarSegment way_of(const OffsetSegment& segment, Vec2 end) const;
   void add_segment(const Action& action, const OffsetSegment& segment, Vec2 end);
+  double feed_change(const OffsetSegment& segment, const Move& like) const;
   void release_waiting(Vec2 next_direction) { release_waiting(next_direction, out_.waiting()); }
   void release_waiting(Vec2 next_direction, std::size_t count);
   void drop_corner_arc();

@@ -281,6 +281,19 @@ PlanarSegment RadiusCompensationPass::way_of(const OffsetSegment& segment, Vec2 
   return left_deg <= 0.0 || length_of(way) <= kNoLength ? straight(way.start, end) : way;
 }
 
+// How much faster the tool's centre is to go on an arc: with the edge at the feed it takes as long as the
+// programmed arc; where the feed counts along the path in space, the rise of a helix takes another share of
+// it.
+double RadiusCompensationPass::feed_change(const OffsetSegment& segment, const Move& like) const {
+  const double inner = segment.programmed.radius;
+  const double outer = segment.offset.radius;
+  if (policy_.feed_at_edge) return outer / inner;
+  const double sweep = radians(std::abs(segment.programmed.sweep_deg));
+  const double rise = like.end[plane_.third] - like.start[plane_.third];
+  if (!policy_.feed_in_space || rise == 0.0 || sweep <= 0.0) return 1.0;
+  return (outer / std::hypot(outer, rise / sweep)) / (inner / std::hypot(inner, rise / sweep));
+}
+
 void RadiusCompensationPass::add_segment(const Action& action, const OffsetSegment& segment, Vec2 end) {
   const Move& like = std::get<Move>(action.what);
   const AxisVector to = with_point(like.end, plane_, end);
@@ -291,8 +304,7 @@ void RadiusCompensationPass::add_segment(const Action& action, const OffsetSegme
   const PlanarSegment way = way_of(segment, end);
   if (!way.is_arc && goes_nowhere(plane_, out_.position(), to)) return;
   Move& move = out_.add_move(action.origin, like, to);
-  if (policy_.feed_at_edge && way.is_arc && segment.programmed.radius > 0.0)
-    move.feed *= segment.offset.radius / segment.programmed.radius;
+  if (way.is_arc && segment.programmed.radius > 0.0) move.feed *= feed_change(segment, like);
   if (way.is_arc)
     move.arc = {{way.center.x, way.center.y}, way.radius, way.sweep_deg};
   else if (is_arc(move.mode))

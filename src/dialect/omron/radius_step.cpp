@@ -36,6 +36,7 @@ bool BlockRun::radius_compensation() {
     const Tool* tool = selected_tool();
     registers.radius_amount = tool == nullptr ? 0.0 : tool->radius;
     registers.offset_start_pending = true;
+    registers.offset_unused = false;
     ++registers.radius_start;
   }
   return true;
@@ -49,19 +50,27 @@ bool BlockRun::compensate(Move& move) {
   move.axis_words = words_.axes().contains(move.plane.first) || words_.axes().contains(move.plane.second);
   const bool moves = is_arc(move.mode) || way_in_plane(move) > kRounding;
   if (!compensates()) {
-    if (!moves) return true;
+    if (!moves && !move.axis_words) return true;
     registers.offset_return_pending = false;
     return ends(move);
   }
   if (registers.offset_start_pending) {
     if (!moves) return true;
     registers.offset_start_pending = false;
+    registers.offset_unused = true;
     if (!starts(move)) return false;
   } else if (move.mode == MoveMode::rapid) {
     return refuse("compensation-word", block_.span);
+  } else if (moves) {
+    registers.offset_unused = false;
   }
   const bool left = (registers.modal[Group::radius_compensation] == code(41)) !=
                     arc_change(registers.placement, move.plane).turns_over;
+  const bool inside = is_arc(move.mode) && left == (move.arc.sweep > 0.0);
+  if (inside && move.arc.radius <= registers.radius_amount + kRounding)
+    return refuse("compensation-radius", block_.span,
+                  FixedText<200>::format("The tool's radius is {:.4f} mm, that of the arc {:.4f} mm.",
+                                         registers.radius_amount, move.arc.radius));
   move.compensation.side = left ? Side::left : Side::right;
   move.compensation.amount = registers.radius_amount;
   move.compensation.start = registers.radius_start;
@@ -77,6 +86,8 @@ bool BlockRun::starts(const Move& move) {
 }
 
 bool BlockRun::ends(const Move& move) {
+  if (registers.offset_unused)
+    return refuse("compensation-end", block_.span, "No move stands between its start and its end.");
   if (is_arc(move.mode)) return refuse("compensation-end", block_.span);
   return !is_shorter(move, registers.radius_amount) ||
          refuse(

@@ -27,8 +27,7 @@ bool BlockRun::local_system() {
 }
 
 bool BlockRun::offsets_are_off() {
-  const bool off = registers.modal[Group::length_compensation] == code(49) &&
-                   registers.modal[Group::radius_compensation] == code(40);
+  const bool off = registers.modal[Group::length_compensation] == code(49) && !is_compensating();
   return off || refuse("offset-active", span(words_.word(Group::one_shot)));
 }
 
