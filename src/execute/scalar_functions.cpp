@@ -4,36 +4,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/turn.hpp"
+
 namespace kerf {
 namespace {
 
 constexpr double kRadians = std::numbers::pi / 180.0;
 
-/// Sine and cosine of an angle in degrees, exact at the quarters of a turn.
-struct Direction {
-  double sine = 0.0;
-  double cosine = 1.0;
-};
-
-Direction direction_of(double degrees) {
-  int quarters = 0;
-  const double rest = std::remquo(degrees, 90.0, &quarters) * kRadians;
-  const double sine = std::sin(rest);
-  const double cosine = std::cos(rest);
-  switch (quarters & 3) {
-    case 0:
-      return {sine, cosine};
-    case 1:
-      return {cosine, -sine};
-    case 2:
-      return {-sine, -cosine};
-    default:
-      return {-cosine, sine};
-  }
-}
-
 double tangent_deg(double degrees) {
-  const Direction direction = direction_of(degrees);
+  const Turn direction = turn_by(degrees);
   return direction.sine / direction.cosine;
 }
 
@@ -75,7 +54,7 @@ constexpr std::array kUnary{
     Unary{"cbrt", [](double x) { return std::cbrt(x); }},
     Unary{"ceil", [](double x) { return std::ceil(x); }},
     Unary{"cos", [](double x) { return std::cos(x); }},
-    Unary{"cosd", [](double x) { return direction_of(x).cosine; }},
+    Unary{"cosd", [](double x) { return turn_by(x).cosine; }},
     Unary{"cosh", [](double x) { return std::cosh(x); }},
     Unary{"exp", [](double x) { return std::exp(x); }},
     Unary{"exp2", [](double x) { return std::exp2(x); }},
@@ -90,7 +69,7 @@ constexpr std::array kUnary{
     Unary{"rint", [](double x) { return std::nearbyint(x); }},
     Unary{"sgn", sign_of},
     Unary{"sin", [](double x) { return std::sin(x); }},
-    Unary{"sind", [](double x) { return direction_of(x).sine; }},
+    Unary{"sind", [](double x) { return turn_by(x).sine; }},
     Unary{"sinh", [](double x) { return std::sinh(x); }},
     Unary{"sqrt", [](double x) { return std::sqrt(x); }},
     Unary{"tan", [](double x) { return std::tan(x); }},

@@ -20,8 +20,7 @@ BlockRun::BlockRun(const Rules& rules, const Block& block, State& state, ActionQ
 
 bool BlockRun::run() {
   if (is_skipped()) return true;
-  if (!words_.collect(block_, alarm)) return false;
-  in_cycle_ = registers.modal[Group::fixed_cycle] != code(80);
+  if (!collect()) return false;
   const bool done = executable() && cycle_allowed() && early_m_code() && modal() && ramps() && feed() &&
                     spindle_speed() && operation() && m_code() && every_word_used();
   // In continuous-path mode a block without a movement is a stop, unless blocks are planned together.
@@ -31,7 +30,7 @@ bool BlockRun::run() {
 }
 
 void BlockRun::take_over() {
-  if (is_skipped() || !words_.collect(block_, alarm)) return;
+  if (is_skipped() || !collect()) return;
   taking_over_ = true;
   registers.feed_given = true;  // that it is missing is said once
   modal();
@@ -39,6 +38,16 @@ void BlockRun::take_over() {
   if (!words_.has(Group::one_shot)) operation();
   const std::int32_t number = words_.m_code();
   if (number == 2 || number == 30 || number == 98 || number == 99) m_code();
+}
+
+/// The unit of the block counts for all of its words.
+bool BlockRun::collect() {
+  if (!words_.collect(block_, alarm)) return false;
+  constexpr double kInch = 25.4;
+  const CodeNumber unit = words_.has(Group::unit) ? words_[Group::unit] : registers.modal[Group::unit];
+  unit_mm_ = unit == code(20) ? kInch : 1.0;
+  in_cycle_ = registers.modal[Group::fixed_cycle] != code(80);
+  return true;
 }
 
 /// The signals are looked at when the block is interpreted.
@@ -82,7 +91,8 @@ bool BlockRun::spindle_speed() {
   const std::int32_t number = words_.m_code();
   const bool commanded = number == 3 || number == 4 || number == 5 || number == 19;
   if (registers.spindle_on && !commanded)
-    turn_spindle(registers.outputs != 0 ? SpindleDirection::counterclockwise : SpindleDirection::clockwise);
+    turn_spindle(registers.outputs == kTurnsBack ? SpindleDirection::counterclockwise
+                                                 : SpindleDirection::clockwise);
   return true;
 }
 

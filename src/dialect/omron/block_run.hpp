@@ -10,6 +10,9 @@
 
 namespace kerf::omron {
 
+/// Registers::outputs while the spindle turns counterclockwise.
+inline constexpr std::uint32_t kTurnsBack = 1;
+
 /// Every step returns false when it refused the block; `alarm` then says why. The order of the steps: F, S
 /// and ramp times, modal codes, the one-shot code or the motion, then the M code.
 class BlockRun {
@@ -27,6 +30,7 @@ class BlockRun {
 
  private:
   // block_run.cpp
+  bool collect();
   bool is_skipped() const;
   bool ramps();
   bool feed();
@@ -63,8 +67,7 @@ class BlockRun {
   bool targets(AxisVector& target);
   bool straight(MoveMode mode, const AxisVector& target);
   bool arc(bool clockwise);
-  bool arc_target(const Plane& plane, AxisVector& target);
-  bool arc_by_radius(const Plane& plane, Vec2 start, Vec2 end, bool clockwise, Arc& out, bool& is_line);
+  bool arc_by_radius(Vec2 start, Vec2 end, bool clockwise, Arc& out, bool& is_line);
   bool arc_by_center(const Plane& plane, Vec2 start, Vec2 end, bool clockwise, Arc& out);
   bool push(MoveMode mode, const AxisVector& end, const AxisVector& commanded, const Plane& plane = kPlaneXY,
             const Arc& arc = {});

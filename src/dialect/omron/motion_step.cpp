@@ -154,7 +154,7 @@ bool BlockRun::arc(bool clockwise) {
   const Vec2 end = point_of(plane, target);
   Arc out;
   bool is_line = false;
-  if (radius ? !arc_by_radius(plane, start, end, clockwise, out, is_line)
+  if (radius ? !arc_by_radius(start, end, clockwise, out, is_line)
              : !arc_by_center(plane, start, end, clockwise, out))
     return false;
   if (is_line) return straight(MoveMode::linear, target);
@@ -177,7 +177,7 @@ bool BlockRun::arc(bool clockwise) {
 }
 
 /// With a radius of 0 the block is a straight line; an arc to where it begins is none.
-bool BlockRun::arc_by_radius(const Plane&, Vec2 start, Vec2 end, bool clockwise, Arc& out, bool& is_line) {
+bool BlockRun::arc_by_radius(Vec2 start, Vec2 end, bool clockwise, Arc& out, bool& is_line) {
   const Word& word = *take('R');
   for (const char address : {'I', 'J', 'K'}) use(address);  // R has priority
   double radius = 0.0;

@@ -35,9 +35,6 @@ bool is_auxiliary(std::int32_t number) {
 
 /// Output timing 1: when the block is interpreted, in front of its move; timing 2: with the move.
 bool BlockRun::early_m_code() {
-  const CodeNumber unit = words_.has(Group::unit) ? words_[Group::unit] : registers.modal[Group::unit];
-  constexpr double kInch = 25.4;
-  unit_mm_ = unit == code(20) ? kInch : 1.0;
   const std::int32_t number = words_.m_code();
   if (number < 0 || !is_auxiliary(number) || m_timing() == OutputTiming::synchronous) return true;
   return auxiliary();
@@ -113,7 +110,7 @@ void BlockRun::turn_spindle(SpindleDirection direction) {
   const bool turns =
       direction == SpindleDirection::clockwise || direction == SpindleDirection::counterclockwise;
   registers.spindle_on = turns;
-  registers.outputs = direction == SpindleDirection::counterclockwise ? 1U : 0U;
+  registers.outputs = direction == SpindleDirection::counterclockwise ? kTurnsBack : 0U;
   if (taking_over_) return;
   Spindle& spindle = queue_.push<Spindle>();
   spindle.direction = direction;
