@@ -10,6 +10,7 @@
 #include "base/axis.hpp"
 #include "base/fixed_vector.hpp"
 #include "base/source_span.hpp"
+#include "machine/machine.hpp"
 
 namespace kerf {
 
@@ -86,7 +87,7 @@ struct RotaryFeed {
 enum class PathMode : std::uint8_t {
   cutting,          ///< blocks run into each other
   exact_stop,       ///< at rest between blocks; Move::exact_stop says so too
-  high_accuracy,    ///< with the machine's own limits for it
+  high_accuracy,    ///< with the corners and speeds that keep the path true
   corner_override,  ///< slower before inner corners
 };
 
@@ -125,6 +126,7 @@ struct Move {
   bool each_axis = false;  ///< of a rapid move: every axis goes by itself, as fast as it may (AxisMotionPass)
   bool passes_on = false;  ///< of such a move: its next leg goes on without a rest between; of one of
                            ///< PolarForm::axes: its next piece (PolarPieces)
+  RateSet rates = 0;       ///< highest rates of the axes
   Side normal_line = Side::none;  ///< a rotary axis keeps the tool square to the path, on this side of it
   Axis last_axis = Axis::X;  ///< of such a move's legs: the axis that arrives last, and moves in all of them
   Plane plane = kPlaneXY;

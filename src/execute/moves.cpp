@@ -11,6 +11,7 @@ Move& push_pathless(MoveMode mode, double feed, ActionQueue& queue) {
   move.axis_words = true;
   move.each_axis = false;
   move.passes_on = false;
+  move.rates = 0;
   move.normal_line = Side::none;
   move.normal_starts = false;
   move.rounds_corner = false;

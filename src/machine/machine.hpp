@@ -13,20 +13,33 @@ namespace kerf {
 
 enum class AxisType : std::uint8_t { linear, rotary };
 
+/// Highest rates of an axis. In a set of its own 0 stands for what the axis has otherwise.
+struct AxisRates {
+  double rapid = 0.0;               ///< mm/min or degree/min
+  double max_feed = 0.0;            ///< the same while cutting
+  double acceleration = 0.0;        ///< mm/s2 or degree/s2
+  double rapid_acceleration = 0.0;  ///< of rapid moves
+};
+
+/// Which rates of the axes a move keeps to: 0 those that the axes have otherwise, i the set
+/// AxisSettings::other_rates[i - 1]. What the sets are for is the dialect's business.
+using RateSet = std::uint8_t;
+inline constexpr std::size_t kOtherRateSets = 4;
+
 /// One axis. Lengths in mm (degrees when rotary), speeds per minute, accelerations per second squared.
 struct AxisSettings {
   std::int32_t number = 0;  ///< servo axis number
   AxisType type = AxisType::linear;
   double lower_limit = -9999.9999;  ///< machine coordinate; infinite: none
   double upper_limit = 9999.9999;
-  double rapid = 6000.0;                ///< mm/min or degree/min
-  double max_feed = 6000.0;             ///< mm/min or degree/min
-  double acceleration = 500.0;          ///< mm/s2 or degree/s2
-  double jerk = 5000.0;                 ///< mm/s3 or degree/s3
-  double home = 0.0;                    ///< machine coordinate of the reference point
-  double start = 0.0;                   ///< machine coordinate where the axis stands when the program starts
-  double high_accuracy_rapid = 0.0;     ///< mm/min or degree/min in PathMode::high_accuracy; 0: rapid
-  double high_accuracy_max_feed = 0.0;  ///< the same for max_feed
+  double rapid = 6000.0;            ///< mm/min or degree/min
+  double max_feed = 6000.0;         ///< mm/min or degree/min
+  double acceleration = 500.0;      ///< mm/s2 or degree/s2
+  double rapid_acceleration = 0.0;  ///< of rapid moves; 0: acceleration
+  double jerk = 5000.0;             ///< mm/s3 or degree/s3
+  double home = 0.0;                ///< machine coordinate of the reference point
+  double start = 0.0;               ///< machine coordinate where the axis stands when the program starts
+  std::array<AxisRates, kOtherRateSets> other_rates{};
   std::optional<Axis> master =
       std::nullopt;  ///< the axis makes every movement of this one and none of its own
 };

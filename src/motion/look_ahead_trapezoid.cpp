@@ -34,6 +34,13 @@ AxisVector start_position(const Machine& machine) {
   return position;
 }
 
+std::array<AxisLimits, kOtherRateSets + 1> limits_of(const Machine& machine) {
+  std::array<AxisLimits, kOtherRateSets + 1> limits;
+  for (std::size_t set = 0; set < limits.size(); ++set)
+    limits[set] = make_axis_limits(machine, static_cast<RateSet>(set));
+  return limits;
+}
+
 /// What an action without a path does to the motion.
 struct Pause {
   BlockKind block = BlockKind::other;
@@ -56,8 +63,7 @@ Pause pause_of(const ActionVariant& what) {
 
 LookAheadTrapezoid::LookAheadTrapezoid(const Machine& machine, const FeedPolicy& policy)
     : junction_deviation_(machine.motion.junction_deviation),
-      limits_(make_axis_limits(machine)),
-      accurate_limits_(make_axis_limits(machine, PathMode::high_accuracy)),
+      limits_(limits_of(machine)),
       policy_(policy),
       look_ahead_(static_cast<std::size_t>(std::max(machine.motion.look_ahead, 0))),
       entries_(look_ahead_.capacity()),
@@ -90,7 +96,7 @@ void LookAheadTrapezoid::push(const Action& action) {
 
 void LookAheadTrapezoid::push_move(const Move& move, Entry& entry, PlanNode& node) {
   PathSegment& path = entry.path;
-  const AxisLimits& limits = move.path_mode == PathMode::high_accuracy ? accurate_limits_ : limits_;
+  const AxisLimits& limits = limits_[move.rates];
   set_path(path, move, limits, policy_.effective(move.feed));
   entry.block = path.rapid ? BlockKind::rapid : BlockKind::cutting;
   if (path.length <= 0.0) {

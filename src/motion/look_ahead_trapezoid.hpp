@@ -76,8 +76,7 @@ class LookAheadTrapezoid {
   void fill(Cycle& cycle);
 
   double junction_deviation_;
-  AxisLimits limits_;
-  AxisLimits accurate_limits_;  ///< of PathMode::high_accuracy
+  std::array<AxisLimits, kOtherRateSets + 1> limits_;  ///< by RateSet
   FeedPolicy policy_;
   LookAhead look_ahead_;
   std::vector<Entry> entries_;

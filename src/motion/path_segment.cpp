@@ -78,7 +78,8 @@ void set_line(PathSegment& segment, const Move& move, const AxisLimits& limits) 
       limit_along(segment.slope, segment.rapid ? limits.inverse_rapid : limits.inverse_feed);
   if (segment.rapid && move.feed > 0.0)
     segment.speed_limit = std::min(segment.speed_limit, speed_of_axes(segment, move.feed));
-  segment.acceleration = limit_along(segment.slope, limits.inverse_acceleration);
+  segment.acceleration = limit_along(
+      segment.slope, segment.rapid ? limits.inverse_rapid_acceleration : limits.inverse_acceleration);
 }
 
 /// Speed and acceleration of a circle that may be out of round, r = r0 + k angle. With w the angle's rate,

@@ -23,7 +23,8 @@ AxisLimits without_polar_axes(const AxisLimits& limits, const PolarPlane& polar)
   AxisLimits others = limits;
   for (const Axis axis : {polar.linear, polar.rotary}) {
     others.acceleration[axis] = others.feed[axis] = kUnlimited;
-    others.inverse_acceleration[axis] = others.inverse_feed[axis] = others.inverse_rapid[axis] = 0.0;
+    others.inverse_acceleration[axis] = others.inverse_rapid_acceleration[axis] = 0.0;
+    others.inverse_feed[axis] = others.inverse_rapid[axis] = 0.0;
   }
   return others;
 }

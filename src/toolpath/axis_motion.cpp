@@ -14,7 +14,7 @@ AxisVector times_of(const Move& move, const Machine& machine, AxisSet followers)
   AxisVector times;
   for (const Axis axis : machine.axes) {
     if (followers.contains(axis)) continue;
-    double speed = rapid_of(machine[axis], move.path_mode);
+    double speed = rates_of(machine[axis], move.rates).rapid;
     if (move.feed > 0.0) speed = std::min(speed, move.feed);
     times[axis] = std::abs(move.end[axis] - move.start[axis]) / speed;
   }

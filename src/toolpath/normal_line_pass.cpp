@@ -77,8 +77,8 @@ double NormalLinePass::turning_speed(const Move& move) const {
   const double per_mm =
       policy_.tool_radius_mm > 0.0 ? 180.0 / (std::numbers::pi * policy_.tool_radius_mm) : 1.0;
   if (!rapid) return move.feed * per_mm;
-  const double speed = std::min(rapid_of(machine_[move.plane.first], move.path_mode),
-                                rapid_of(machine_[move.plane.second], move.path_mode));
+  const double speed = std::min(rates_of(machine_[move.plane.first], move.rates).rapid,
+                                rates_of(machine_[move.plane.second], move.rates).rapid);
   return speed * per_mm;
 }
 

@@ -39,4 +39,11 @@ constexpr PathMode path_mode_of(CodeNumber number) {
   return number == code(62) ? PathMode::corner_override : PathMode::high_accuracy;
 }
 
+/// AxisSettings::other_rates: rates of the axes under G61.1.
+inline constexpr RateSet kHighAccuracyRates = 1;
+
+constexpr RateSet rate_set_of(PathMode mode) {
+  return mode == PathMode::high_accuracy ? kHighAccuracyRates : RateSet{0};
+}
+
 }  // namespace kerf::melsec

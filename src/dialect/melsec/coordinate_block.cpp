@@ -97,6 +97,7 @@ bool run_coordinate_block(const Rules& rules, const Block& block, State& state, 
     move.plane = *plane;
     if (compensated) move.compensation = compensation_in_force(registers);
     move.path_mode = path_mode_of(registers.modal[Group::path_mode]);
+    move.rates = rate_set_of(move.path_mode);
     move.exact_stop = move.path_mode == PathMode::exact_stop;
     move.each_axis = rapid && rules.settings().each_axis;
   }

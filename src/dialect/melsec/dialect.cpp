@@ -21,9 +21,9 @@ void complete_machine(const Settings& settings, Machine& machine) {
   machine.motion.feed_of_all_axes = true;
   for (const Axis axis : machine.axes) {
     AxisSettings& own = machine.axis[index(axis)];
-    own.high_accuracy_rapid = settings.number(expanded("melsec.axis.*.high_accuracy_rapid_speed", axis));
-    own.high_accuracy_max_feed =
-        settings.number(expanded("melsec.axis.*.high_accuracy_cutting_clamp_speed", axis));
+    AxisRates& accurate = own.other_rates[kHighAccuracyRates - 1];
+    accurate.rapid = settings.number(expanded("melsec.axis.*.high_accuracy_rapid_speed", axis));
+    accurate.max_feed = settings.number(expanded("melsec.axis.*.high_accuracy_cutting_clamp_speed", axis));
     own.master = axis_of(settings.text(expanded("melsec.axis.*.master_axis_name", axis)));
   }
 }

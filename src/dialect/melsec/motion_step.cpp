@@ -87,6 +87,7 @@ bool BlockRun::push(MoveMode mode, const AxisVector& end, const AxisVector& comm
   move.arc = arc;
   move.from_rest = std::exchange(placement.rest_wanted, false) || words_.has(kMachineMove);
   move.path_mode = path_mode_of(registers.modal[Group::path_mode]);
+  move.rates = rate_set_of(move.path_mode);
   move.exact_stop = words_.has(kExactStop) || move.path_mode == PathMode::exact_stop;
   move.each_axis = mode == MoveMode::rapid && rules_.settings().each_axis;
   if (length_of(move) > kLongestWay) {
