@@ -3,13 +3,14 @@
 #include <unordered_map>
 
 #include "conformance/runner/observation.hpp"
+#include "machine/schema.hpp"
 
 namespace kerf::conformance {
 namespace {
 
-constexpr double kIdealAcceleration = 1e9;        // mm/s2: moves take distance over feed
+/// Moves take distance over feed.
+constexpr std::string_view kIdealSettings[] = {"axes.*.acceleration=1e9", "axes.*.jerk=1e15"};
 constexpr std::uint32_t kMostRounds = 4'000'000;  // an endless loop is found out without waiting for it
-constexpr double kIdealJerk = 1e15;               // mm/s3
 
 Entry refusal(const SettingsError& error) {
   Entry event;
@@ -63,10 +64,10 @@ tl::expected<Rig, std::vector<Entry>> Rig::make(const Case& test, const std::str
   }
   if (test.ideal) {
     for (const Axis axis : controller->machine.axes) {
-      AxisSettings& settings = controller->machine.axis[index(axis)];
-      settings.acceleration = kIdealAcceleration;
-      settings.jerk = kIdealJerk;
+      for (const std::string_view setting : kIdealSettings)
+        options.assignments.push_back(expanded(setting, axis));
     }
+    controller = make_controller(options);
   }
   return Rig(*std::move(controller), test.recover);
 }

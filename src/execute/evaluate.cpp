@@ -204,6 +204,12 @@ MathFault evaluate(Expression expression, const MacroVariables& variables, doubl
         --top;
         *top = *top <= top[1] ? 1.0 : 0.0;
         break;
+      case ExpressionOp::system_value: {
+        const double* found = variables.find_system(*top);
+        if (found == nullptr) return MathFault::no_variable;
+        *top = *found;
+        break;
+      }
       case ExpressionOp::call1:
         *top = scalar_function(static_cast<std::size_t>(step.operand), *top);
         break;

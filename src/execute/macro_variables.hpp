@@ -16,6 +16,7 @@ struct MacroVariableLayout {
   std::size_t levels = 5;  ///< the main program and the calls within each other that have locals of their own
   std::int64_t first_common = 100;
   std::int64_t common = 0;
+  std::int64_t system = 0;  ///< values that the controller sets and programs can only read, from number 0 on
 };
 
 /// The arguments of a call: they become the first local variables.
@@ -28,7 +29,8 @@ class MacroVariables {
   explicit MacroVariables(const MacroVariableLayout& layout)
       : layout_(layout),
         common_(static_cast<std::size_t>(layout.common), 0.0),
-        locals_(static_cast<std::size_t>(layout.locals) * layout.levels, 0.0) {}
+        locals_(static_cast<std::size_t>(layout.locals) * layout.levels, 0.0),
+        system_(static_cast<std::size_t>(layout.system), 0.0) {}
 
   /// The variable of a number, null when there is none. A fraction of the number is dropped.
   double* find(double number) {
@@ -42,6 +44,15 @@ class MacroVariables {
     place = number - static_cast<double>(layout_.first_local);
     const bool local = place >= 0.0 && place < static_cast<double>(layout_.locals);
     return local ? &locals_[first_of(level_) + static_cast<std::size_t>(place)] : nullptr;
+  }
+
+  /// A value of the controller by its number, null when there is none. A fraction of the number is dropped.
+  double* find_system(double number) {
+    return const_cast<double*>(static_cast<const MacroVariables*>(this)->find_system(number));
+  }
+  const double* find_system(double number) const {
+    const bool known = number >= 0.0 && number < static_cast<double>(layout_.system);
+    return known ? &system_[static_cast<std::size_t>(number)] : nullptr;
   }
 
   /// Depth of calls with locals of their own, 0 in the main program; below levels().
@@ -75,6 +86,7 @@ class MacroVariables {
   MacroVariableLayout layout_;
   std::vector<double> common_;
   std::vector<double> locals_;  ///< level by level
+  std::vector<double> system_;
   std::size_t level_ = 0;
 };
 

@@ -50,8 +50,9 @@ enum class ExpressionOp : std::uint8_t {
   round_up,  ///< away from zero
   logarithm,
   exponential,
-  negation,  ///< of a truth value
-  call1,     ///< as call2, with one argument
+  negation,      ///< of a truth value
+  call1,         ///< as call2, with one argument
+  system_value,  ///< the value of the controller whose number is on top
 };
 
 constexpr bool is_binary(ExpressionOp op) {

@@ -141,9 +141,10 @@ constexpr std::array kCatalogue{
         "M98 P calls subprograms 1000 to 9999 (1000 to 2999 of the engineering tool, 3000 to 9999 of the "
         "operator panel).",
         "Write P and a number from 1000 to 9999."},
-    AlarmKind{kCode, "not-executed", "Code that kerf does not execute yet",
-              "The controller has this code; this version of kerf reads it and cannot execute it.",
-              "Leave it out for now; docs/dialects/omron.md lists what is missing."},
+    AlarmKind{kCode, "captured-position", "No such captured position",
+              "The index of _CNC_CapturedPosition counts the motors of the coordinate system from 0, in the "
+              "order of their numbers.",
+              "Write an index from 0 to the number of motors less 1."},
     AlarmKind{
         kCode, "endless-loop", "Endless loop",
         "The program has jumped back, repeated and called so often that it counts as endless: a hundred "

@@ -21,8 +21,8 @@ BlockRun::BlockRun(const Rules& rules, const Block& block, State& state, ActionQ
 bool BlockRun::run() {
   if (is_skipped()) return true;
   if (!collect()) return false;
-  const bool done = executable() && cycle_allowed() && early_m_code() && modal() && ramps() && feed() &&
-                    spindle_speed() && operation() && m_code() && every_word_used();
+  const bool done = cycle_allowed() && early_m_code() && modal() && ramps() && feed() && spindle_speed() &&
+                    operation() && m_code() && every_word_used();
   // In continuous-path mode a block without a movement is a stop, unless blocks are planned together.
   const bool together = registers.modal[Group::multi_block] == code(500);
   if (!moved_ && !block_.words.empty() && !together) registers.placement.rest_wanted = true;
@@ -53,11 +53,6 @@ bool BlockRun::collect() {
 /// The signals are looked at when the block is interpreted.
 bool BlockRun::is_skipped() const {
   return block_.skip_number > 0 && settings_.skips.test(block_.skip_number);
-}
-
-bool BlockRun::executable() {
-  if (words_[Group::one_shot] == code(31)) return refuse("not-executed", span(words_.word(Group::one_shot)));
-  return true;
 }
 
 bool BlockRun::ramps() {
@@ -111,6 +106,8 @@ bool BlockRun::one_shot() {
     case code(28):
     case code(30):
       return reference_return();
+    case code(31):
+      return skip_move();
     case code(52):
       return local_system();
     default:

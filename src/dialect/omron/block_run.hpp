@@ -27,6 +27,7 @@ class BlockRun {
   std::optional<Alarm> alarm;
   bool ends_program = false;
   std::optional<TappingPlan> tapping;  ///< the cycle that the block starts
+  std::optional<Captured> captured;    ///< by the skip inputs
 
  private:
   // block_run.cpp
@@ -35,7 +36,6 @@ class BlockRun {
   bool ramps();
   bool feed();
   bool spindle_speed();
-  bool executable();
   bool operation();
   bool one_shot();
   bool dwell();
@@ -83,6 +83,9 @@ class BlockRun {
   bool compensates() const { return registers.modal[Group::radius_compensation] != code(40); }
   /// From G41 or G42 to the move behind G40.
   bool is_compensating() const { return compensates() || registers.offset_return_pending; }
+  // skip_step.cpp
+  bool skip_move();
+  void go_to(const SkipStop& stop);
   // cycle_step.cpp
   bool cycle_allowed();
   bool fixed_cycle();

@@ -19,10 +19,26 @@ std::shared_ptr<const BlockRules> make_rules(const Settings& settings, const Mac
 
 /// Up to version 1.01 rapid positioning runs at the greatest velocity of each motor.
 void complete_machine(const Settings& settings, Machine& machine) {
-  if (settings.text("omron.cnc_version") == "1.02") return;
   for (const Axis axis : machine.axes) {
     AxisSettings& own = machine.axis[index(axis)];
-    own.rapid = own.max_feed;
+    if (settings.text("omron.cnc_version") != "1.02") own.rapid = own.max_feed;
+    own.other_rates[kSkipRates - 1].rapid = settings.number(expanded("omron.axis.*.skip_velocity", axis));
+  }
+}
+
+/// A motor may have the signal of another one that has a signal of its own.
+void check_skip_inputs(const Settings& settings, std::vector<SettingsError>& errors) {
+  const auto key_of = [](Axis axis) { return expanded("omron.axis.*.skip_input", axis); };
+  for (const Axis axis : settings.axes()) {
+    const auto other = axis_of(settings.text(key_of(axis)));
+    if (!other) continue;
+    const bool exists = settings.axes().contains(*other);
+    if (exists && !axis_of(settings.text(key_of(*other)))) continue;
+    errors.push_back(error_at(
+        *settings.find(key_of(axis)),
+        exists ? fmt::format("the skip input of {} has no signal of its own to share", letter(*other))
+               : fmt::format("the machine has no axis {} whose skip input could be shared", letter(*other)),
+        "name an axis whose skip input is none, position or time"));
   }
 }
 
@@ -37,6 +53,7 @@ std::vector<SettingsError> contradictions(const Settings& settings) {
   check("omron.block_skip", 1, 31);
   check("omron.immediate_m_codes", 0, kMCodes - 1);
   check("omron.not_waiting_m_codes", 0, kMCodes - 1);
+  check_skip_inputs(settings, errors);
   return errors;
 }
 

@@ -12,6 +12,7 @@ namespace kerf::omron {
 namespace {
 
 constexpr std::string_view kNoValue = "A number, a variable, a function or a parenthesis was expected here.";
+constexpr std::string_view kCapturedPosition = "_CNC_CapturedPosition";
 constexpr int kDeepest = static_cast<int>(kExpressionStack) - 1;
 
 bool is_digit(char c) {
@@ -218,18 +219,31 @@ bool ExpressionParser::variable(ExpressionRef& ref) {
   return variable_address(number) && push(ExpressionOp::variable, static_cast<double>(number));
 }
 
+/// Where the skip inputs caught the motors (manual G31): a system variable with an index.
+bool ExpressionParser::captured_position() {
+  text_ += kCapturedPosition;
+  return arguments(1) && push(ExpressionOp::system_value);
+}
+
 bool ExpressionParser::function() {
+  if (scanner_.take_name(kCapturedPosition)) return captured_position();
   const std::string_view name = scanner_.name();
   if (name.empty()) return scanner_.fail("syntax", kNoValue);
   const auto found = find_scalar_function(name);
   if (!found) return scanner_.fail("function", {}, scanner_.span_here(name.size()));
   scanner_.skip(name.size());
   text_ += name;
+  return arguments(found->arguments) &&
+         push(found->arguments == 2 ? ExpressionOp::call2 : ExpressionOp::call1,
+              static_cast<double>(found->number));
+}
+
+bool ExpressionParser::arguments(int count) {
   if (!scanner_.take('('))
     return scanner_.fail("syntax", "The arguments of a function stand in parentheses.");
   text_ += '(';
   if (++depth_ > kDeepest) return scanner_.fail("nesting", "The expression is nested too deeply.");
-  for (int i = 0; i < found->arguments; ++i) {
+  for (int i = 0; i < count; ++i) {
     if (i > 0 && !scanner_.take(',')) return scanner_.fail("syntax", "This function has two arguments.");
     if (i > 0) text_ += ',';
     ValueKind kind = ValueKind::number;
@@ -241,8 +255,7 @@ bool ExpressionParser::function() {
   if (!scanner_.take(')')) return scanner_.fail("syntax", "A closing parenthesis was expected here.");
   text_ += ')';
   --depth_;
-  return push(found->arguments == 2 ? ExpressionOp::call2 : ExpressionOp::call1,
-              static_cast<double>(found->number));
+  return true;
 }
 
 }  // namespace kerf::omron

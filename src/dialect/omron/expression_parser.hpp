@@ -40,6 +40,8 @@ class ExpressionParser {
   bool parentheses(ValueKind& kind);
   bool constant();
   bool function();
+  bool captured_position();
+  bool arguments(int count);
   bool push(ExpressionOp op, double operand = 0.0);
   bool wants(ValueKind wanted, ValueKind found, std::size_t from);
 

@@ -12,6 +12,7 @@ namespace {
 FlowAlarms flow_alarms() {
   FlowAlarms alarms;
   alarms.fill({&alarm_kind("syntax")});  // faults that no program of this language can have
+  alarms[static_cast<std::size_t>(FlowFault::no_variable)] = {&alarm_kind("captured-position")};
   alarms[static_cast<std::size_t>(FlowFault::no_program)] = {&alarm_kind("missing-program")};
   alarms[static_cast<std::size_t>(FlowFault::endless)] = {&alarm_kind("endless-loop")};
   return alarms;
@@ -36,7 +37,7 @@ State Rules::initial_state() const {
   for (const Axis axis : machine_.axes) state.registers.position[axis] = machine_[axis].start;
   state.tables.work_offsets = machine_.work_offsets;
   state.registers.tool = settings_.tool;
-  state.variables = MacroVariables(variable_layout());
+  state.variables = MacroVariables(variable_layout(machine_.axes.size()));
   return state;
 }
 
@@ -77,10 +78,21 @@ BlockOutcome Rules::execute(const Block& block, State& state, ActionQueue& queue
     queue.push<Alarm>() = *run.alarm;
     return BlockOutcome::alarm;
   }
+  if (run.captured) keep_captured(*run.captured, state.variables);
   if (run.tapping) effects.tapping.start(*run.tapping, queue.origin());
   if (!run.ends_program) return BlockOutcome::done;
   finish(state, queue);
   return BlockOutcome::ended;
+}
+
+/// The system variables count the motors in the order of their numbers.
+void Rules::keep_captured(const Captured& captured, MacroVariables& variables) const {
+  for (const Axis axis : captured.axes) {
+    const auto before = [&](Axis other) { return machine_[other].number < machine_[axis].number; };
+    double place = 0.0;
+    for (const Axis other : machine_.axes) place += before(other) ? 1.0 : 0.0;
+    *variables.find_system(place) = captured.positions[axis];
+  }
 }
 
 BlockOutcome Rules::take_over(const Block& block, State& state, ActionQueue& queue,

@@ -8,6 +8,12 @@
 
 namespace kerf::omron {
 
+/// Where the motors of a skip move were caught, machine coordinates.
+struct Captured {
+  AxisSet axes;
+  AxisVector positions;
+};
+
 class Rules final : public BlockRules {
  public:
   Rules(const ControllerSettings& settings, const Machine& machine);
@@ -28,6 +34,7 @@ class Rules final : public BlockRules {
   const Travel& travel() const { return travel_; }
 
  private:
+  void keep_captured(const Captured& captured, MacroVariables& variables) const;
   void finish(State& state, ActionQueue& queue) const;
 
   ControllerSettings settings_;

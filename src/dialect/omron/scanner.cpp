@@ -56,6 +56,14 @@ std::string_view Scanner::name() {
   return text_.substr(at_, end - at_);
 }
 
+bool Scanner::take_name(std::string_view name) {
+  if (peek() == '\0' || text_.substr(at_, name.size()) != name) return false;
+  const char next = at(name.size());
+  if (is_small(next) || is_digit(next) || next == '_' || (next >= 'A' && next <= 'Z')) return false;
+  at_ += name.size();
+  return true;
+}
+
 bool Scanner::take_keyword(std::string_view keyword) {
   if (name() != keyword) return false;
   at_ += keyword.size();

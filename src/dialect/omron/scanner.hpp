@@ -31,6 +31,8 @@ class Scanner {
   void skip(std::size_t characters = 1) { at_ += characters; }
   /// Takes a lower-case keyword that ends here.
   bool take_keyword(std::string_view keyword);
+  /// Goes over a name of letters, digits and underscores that comes next.
+  bool take_name(std::string_view name);
   /// The lower-case letters and digits that come next, a letter first; the cursor stays.
   std::string_view name();
   bool at_line_end() { return peek() == '\0'; }

@@ -106,6 +106,27 @@ constexpr Parameter kParameters[] = {
            "The same of the 3rd reference point."),
     number(kMotor, "omron.axis.*.reference_4", "0.0", "mm", -kFar, kFar,
            "The same of the 4th reference point."),
+    Parameter{.key = "omron.axis.*.skip_velocity",
+              .type = ValueType::number,
+              .default_value = "600.0",
+              .unit = "mm/min",
+              .minimum = 0.0,
+              .maximum = 1e12,
+              .help = "Speed of the motor in G31.",
+              .above_minimum = true,
+              .group = kMotor},
+    Parameter{.key = "omron.axis.*.skip_input",
+              .type = ValueType::word,
+              .default_value = "\"none\"",
+              .choices = "none|position|time|X|Y|Z|A|B|C",
+              .help =
+                  "When the simulated skip input of the motor turns on in G31: never, at a position, at a "
+                  "time, or with that of another motor.",
+              .group = kMotor},
+    number(kMotor, "omron.axis.*.skip_position", "0.0", "mm", -kFar, kFar,
+           "Machine coordinate at which it turns on, with \"position\"."),
+    number(kMotor, "omron.axis.*.skip_time", "0.0", "s", 0.0, kFar,
+           "Seconds from the start of the movement until it turns on, with \"time\"."),
 };
 
 constexpr std::string_view kNotShared[] = {"offsets.EXT.*"};
@@ -127,6 +148,20 @@ std::optional<int> read_number(const char*& at, const char* end) {
 void set_timing(ControllerSettings& settings, std::string_view list, OutputTiming timing) {
   for (const int code : numbers_in(list, 0, kMCodes - 1).value_or(std::vector<int>{}))
     settings.timing[static_cast<std::size_t>(code)] = timing;
+}
+
+SkipInput skip_input(const Settings& settings, Axis axis) {
+  SkipInput input;
+  input.position = settings.number(expanded("omron.axis.*.skip_position", axis));
+  input.seconds = settings.number(expanded("omron.axis.*.skip_time", axis));
+  const std::string_view word = settings.text(expanded("omron.axis.*.skip_input", axis));
+  if (word == "position") input.source = SkipInput::Source::position;
+  if (word == "time") input.source = SkipInput::Source::time;
+  if (const std::optional<Axis> other = axis_of(word)) {
+    input.source = SkipInput::Source::shared;
+    input.axis = *other;
+  }
+  return input;
 }
 
 }  // namespace
@@ -181,6 +216,7 @@ ControllerSettings controller_settings(const Settings& settings, const Machine& 
   constexpr std::array<std::string_view, kReferencePoints> kKeys{
       "omron.axis.*.reference_2", "omron.axis.*.reference_3", "omron.axis.*.reference_4"};
   for (const Axis axis : machine.axes) {
+    c.skip_inputs[index(axis)] = skip_input(settings, axis);
     for (std::size_t i = 0; i < kKeys.size(); ++i)
       c.references[i][axis] = settings.number(expanded(kKeys[i], axis));
   }

@@ -10,6 +10,7 @@
 
 #include "base/axis.hpp"
 #include "execute/action.hpp"
+#include "execute/skip_input.hpp"
 #include "machine/machine.hpp"
 #include "machine/parameter.hpp"
 #include "machine/settings.hpp"
@@ -18,6 +19,9 @@ namespace kerf::omron {
 
 inline constexpr std::size_t kMCodes = 192;
 inline constexpr std::size_t kReferencePoints = 3;  ///< the 2nd to the 4th
+
+/// AxisSettings::other_rates: the skip velocity of the motors (G31).
+inline constexpr RateSet kSkipRates = 1;
 
 struct ControllerSettings {
   bool version_1_02 = true;           ///< CNC version 1.02 or higher, else 1.01 or lower
@@ -36,6 +40,7 @@ struct ControllerSettings {
   std::bitset<32> skips;  ///< optional skip signals that are on, by number
   std::array<OutputTiming, kMCodes> timing{};
   std::array<AxisVector, kReferencePoints> references;
+  SkipInputs skip_inputs;
 };
 
 std::span<const Parameter> parameters();

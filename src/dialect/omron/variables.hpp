@@ -20,6 +20,7 @@ std::optional<std::int64_t> variable_number(char bank, std::int64_t address);
 /// The number of a variable from its name: L12.
 std::optional<std::int64_t> variable_named(std::string_view name);
 
-MacroVariableLayout variable_layout();
+/// System values are the positions captured of each motor.
+MacroVariableLayout variable_layout(std::size_t motors);
 
 }  // namespace kerf::omron
