@@ -104,6 +104,7 @@ struct Registers {
   CycleWords cycle;
   double feed = 0.0;  ///< programmed mm/min
   RampTimes ramps;
+  RateSet rates = 0;                ///< of the moves to come
   double spindle_rpm = 0.0;         ///< the S register: programmed speed before limits and override
   std::int32_t tool = 0;            ///< held; 0: none
   std::int32_t radius_number = -1;  ///< D in force; -1: never given

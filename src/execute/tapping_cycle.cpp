@@ -40,6 +40,7 @@ void TappingCycle::go(MoveMode mode, const AxisVector& target, ActionQueue& queu
   move.end = at_ = target;
   move.commanded = target - plan_.origin;
   move.each_axis = rapid;
+  move.rates = plan_.rates;
   move.exact_stop = true;
   move.spindle_turns = turns;
 }

@@ -17,9 +17,10 @@ struct TappingPlan {
   std::int32_t repetitions = 1;
   double r_level = 0.0;
   double bottom = 0.0;
-  double return_level = 0.0;                            ///< initial level or R level
-  double dwell_s = 0.0;                                 ///< at the bottom
-  double feed = 0.0;                                    ///< mm/min
+  double return_level = 0.0;  ///< initial level or R level
+  double dwell_s = 0.0;       ///< at the bottom
+  double feed = 0.0;          ///< mm/min
+  RateSet rates = 0;
   SpindleDirection cuts = SpindleDirection::clockwise;  ///< on the way in
   double rpm = 0.0;
   double orient_rpm = 0.0;

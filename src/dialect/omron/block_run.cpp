@@ -1,5 +1,6 @@
 #include "dialect/omron/block_run.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "dialect/omron/addresses.hpp"
@@ -72,8 +73,9 @@ bool BlockRun::feed() {
   if (word == nullptr) return true;
   // The greatest feedrate keeps its number when the unit changes (manual G20, G21).
   constexpr double kLeast = 1e-8;
-  if (!(word->computed >= kLeast && word->computed <= settings_.maximum_feedrate))
-    return refuse("feed-range", span(*word));
+  const double greatest =
+      std::max(settings_.normal.maximum_feedrate, settings_.operation(registers.rates).maximum_feedrate);
+  if (!(word->computed >= kLeast && word->computed <= greatest)) return refuse("feed-range", span(*word));
   registers.feed = word->computed * unit_mm_;
   registers.feed_given = true;
   return true;

@@ -62,6 +62,7 @@ class BlockRun {
   bool length_offset();
   const Tool* selected_tool() const;
   bool parameter_set();
+  void select_set(const Word& word);
   // motion_step.cpp
   bool motion();
   bool targets(AxisVector& target);
@@ -72,6 +73,7 @@ class BlockRun {
   bool push(MoveMode mode, const AxisVector& end, const AxisVector& commanded, const Plane& plane = kPlaneXY,
             const Arc& arc = {});
   double effective_feed(const Move& move) const;
+  double limited_feed() const;
   AxisVector real_position(const AxisVector& programmed, AxisSet named) const;
   void arrive(const AxisVector& programmed, AxisSet named);
   // radius_step.cpp

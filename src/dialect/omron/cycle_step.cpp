@@ -54,10 +54,10 @@ bool BlockRun::fixed_cycle() {
   }
   // A block without a position taps nothing.
   const bool positioned = words_.axes().contains(Axis::X) || words_.axes().contains(Axis::Y);
-  if (!positioned || repetitions == 0 || taking_over_) return true;
+  if (!positioned || repetitions == 0) return true;
   if (!words.r.given || !words.bottom.given) return refuse("cycle-words", block_.span);
   if (!registers.feed_given) return refuse("missing-feed", block_.span);
-  if (settings_.has_spindle_axis && !(registers.spindle_rpm > 0.0))
+  if (settings_.has_spindle_axis && !(registers.spindle_rpm > 0.0) && !taking_over_)
     return refuse("cycle-spindle", block_.span);
   const PlaneRotation& rotation = registers.placement.rotation;
   if (rotation.active && rotation.plane != kPlaneXY) return refuse("cycle-plane", block_.span);
@@ -82,15 +82,18 @@ bool BlockRun::fixed_cycle() {
   plan.bottom = plan.first_hole[Axis::Z];
   plan.return_level = real(hole, back)[Axis::Z];
   plan.dwell_s = words.dwell_s;
-  plan.feed = registers.feed;
+  plan.feed = limited_feed();
+  plan.rates = registers.rates;
   const bool right = registers.modal[Group::fixed_cycle] == code(84);
   plan.cuts = right ? SpindleDirection::clockwise : SpindleDirection::counterclockwise;
   plan.rpm = registers.spindle_rpm;
   plan.orient_rpm = settings_.orientation_velocity;
   plan.has_spindle_axis = settings_.has_spindle_axis;
-  if (!cycle_inside_travel(plan)) return false;
-  moved_ = true;
-  tapping = plan;
+  if (!taking_over_) {
+    if (!cycle_inside_travel(plan)) return false;
+    moved_ = true;
+    tapping = plan;
+  }
   AxisVector last = hole + step * static_cast<double>(repetitions - 1);
   last[Axis::Z] = back;
   arrive(last, kMoved);

@@ -17,12 +17,26 @@ std::shared_ptr<const BlockRules> make_rules(const Settings& settings, const Mac
   return std::make_shared<const Rules>(controller_settings(settings, machine), machine);
 }
 
+AxisRates extended_rates(const Settings& settings, std::size_t set, Axis axis) {
+  const auto number = [&](std::string_view key) {
+    return settings.number(expanded(extended_key(key, set), axis));
+  };
+  AxisRates rates;
+  rates.rapid = number("omron.extended_#.axis.*.rapid");
+  rates.acceleration = number("omron.extended_#.axis.*.maximum_acceleration");
+  rates.rapid_acceleration = number("omron.extended_#.axis.*.rapid_acceleration");
+  return rates;
+}
+
 /// Up to version 1.01 rapid positioning runs at the greatest velocity of each motor.
 void complete_machine(const Settings& settings, Machine& machine) {
   for (const Axis axis : machine.axes) {
     AxisSettings& own = machine.axis[index(axis)];
     if (settings.text("omron.cnc_version") != "1.02") own.rapid = own.max_feed;
+    own.rapid_acceleration = settings.number(expanded("omron.axis.*.rapid_acceleration", axis));
     own.other_rates[kSkipRates - 1].rapid = settings.number(expanded("omron.axis.*.skip_velocity", axis));
+    for (std::size_t set = 0; set < kExtendedSets; ++set)
+      own.other_rates[kExtendedRates - 1 + set] = extended_rates(settings, set, axis);
   }
 }
 

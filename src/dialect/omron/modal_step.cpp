@@ -178,10 +178,28 @@ bool BlockRun::length_offset() {
 
 bool BlockRun::parameter_set() {
   if (!words_.has(Group::multi_block)) return true;
+  const CodeNumber before = registers.modal[Group::multi_block];
   registers.modal.set(Group::multi_block, words_[Group::multi_block]);
-  take('P');  // with a value that names no set it counts as left out
-  registers.placement.rest_wanted = true;
+  const bool takes_set = settings_.version_1_02 && words_.m_code() != 98;
+  const Word* set = takes_set ? take('P') : nullptr;
+  if (set != nullptr) select_set(*set);
+  if (set != nullptr || words_[Group::multi_block] != before) registers.placement.rest_wanted = true;
   return true;
+}
+
+/// A value that names no set counts as left out. Another set brings its ramp times with it.
+void BlockRun::select_set(const Word& word) {
+  constexpr double kNormal = 99.0;
+  RateSet rates = 0;
+  if (word.computed != kNormal) {
+    std::size_t set = 0;
+    while (set < kExtendedSets && word.computed != static_cast<double>(set)) ++set;
+    if (set == kExtendedSets) return;
+    rates = static_cast<RateSet>(kExtendedRates + set);
+  }
+  if (rates == registers.rates) return;
+  registers.rates = rates;
+  registers.ramps = settings_.operation(rates).ramps;
 }
 
 }  // namespace kerf::omron

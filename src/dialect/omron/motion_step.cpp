@@ -96,6 +96,7 @@ bool BlockRun::push(MoveMode mode, const AxisVector& end, const AxisVector& comm
   move.plane = plane;
   move.arc = arc;
   move.each_axis = rapid;
+  move.rates = registers.rates;
   // The manual's text has G09 stop at the end of its block, its example also in front of it (OMR-184).
   const bool rest_wanted = std::exchange(placement.rest_wanted, false);
   move.from_rest = rest_wanted || (words_.has_exact_stop() && words_.exact_stop_leads());
@@ -132,10 +133,17 @@ double BlockRun::effective_feed(const Move& move) const {
     counted = way_of_arc(move.arc.radius, end_radius, radians(std::abs(move.arc.sweep)));
     straight = std::hypot(counted, kSpace.contains(move.plane.third) ? way[move.plane.third] : 0.0);
   }
-  const double minutes = std::max(straight / registers.feed, turn / settings_.rotary_velocity);
-  if (counted == straight && minutes * registers.feed == straight) return registers.feed;
+  const double feed = limited_feed();
+  const double minutes =
+      std::max(straight / feed, turn / settings_.operation(registers.rates).rotary_velocity);
+  if (counted == straight && minutes * feed == straight) return feed;
   if (counted <= 0.0) counted = length_of(way, rules_.machine().axes);
-  return minutes > 0.0 ? counted / minutes : registers.feed;
+  return minutes > 0.0 ? counted / minutes : feed;
+}
+
+/// The feed in force, not above what the parameter set in force allows.
+double BlockRun::limited_feed() const {
+  return std::min(registers.feed, settings_.operation(registers.rates).maximum_feedrate * unit_mm_);
 }
 
 bool BlockRun::arc(bool clockwise) {

@@ -62,7 +62,8 @@ void Rules::begin_program(State& state) const {
   r.feed = 0.0;
   r.feed_given = r.spindle_on = r.offset_start_pending = r.offset_return_pending = false;
   r.spindle_rpm = 0.0;
-  r.ramps = {settings_.acceleration_time, settings_.deceleration_time, settings_.jerk_time};
+  r.rates = 0;
+  r.ramps = settings_.normal.ramps;
   r.program = r.sequence_number = -1;
   state.variables.restart();
 }
@@ -104,6 +105,7 @@ BlockOutcome Rules::take_over(const Block& block, State& state, ActionQueue& que
 
 void Rules::finish(State& state, ActionQueue& queue) const {
   state.registers.spindle_on = false;
+  state.registers.rates = 0;
   queue.push<End>();
 }
 

@@ -1,133 +1,13 @@
 #include "dialect/omron/settings.hpp"
 
 #include <charconv>
+#include <limits>
 #include <optional>
 
 #include "machine/key_check.hpp"
 
 namespace kerf::omron {
 namespace {
-
-constexpr std::string_view kCoordinateSystem = "CNC coordinate system";
-constexpr std::string_view kDefaults = "NC program default settings";
-constexpr std::string_view kSpindle = "Spindle";
-constexpr std::string_view kMCodeGroup = "M codes";
-constexpr std::string_view kInputs = "Signals";
-constexpr std::string_view kMotor = "CNC motor";
-
-constexpr Parameter number(std::string_view group, std::string_view key, std::string_view default_value,
-                           std::string_view unit, double low, double high, std::string_view help) {
-  return {.key = key,
-          .type = ValueType::number,
-          .default_value = default_value,
-          .unit = unit,
-          .minimum = low,
-          .maximum = high,
-          .help = help,
-          .group = group};
-}
-
-constexpr Parameter integer(std::string_view group, std::string_view key, std::string_view default_value,
-                            double low, double high, std::string_view help) {
-  Parameter parameter = number(group, key, default_value, "", low, high, help);
-  parameter.type = ValueType::integer;
-  return parameter;
-}
-
-constexpr Parameter text(std::string_view group, std::string_view key, std::string_view help) {
-  return {.key = key, .type = ValueType::text, .default_value = "\"\"", .help = help, .group = group};
-}
-
-constexpr double kFar = 1e9;
-
-constexpr Parameter kParameters[] = {
-    Parameter{.key = "omron.cnc_version",
-              .type = ValueType::word,
-              .default_value = "\"1.02\"",
-              .choices = "1.01|1.02",
-              .help = "CNC version: 1.01 stands for that and all before, 1.02 for that and all behind.",
-              .group = kCoordinateSystem},
-    Parameter{.key = "omron.command_unit",
-              .type = ValueType::word,
-              .default_value = "\"mm\"",
-              .choices = "mm|inch",
-              .help = "Unit of lengths in programs until G20 or G21.",
-              .group = kCoordinateSystem},
-    number(kCoordinateSystem, "omron.maximum_feedrate", "10000.0", "mm/min", 0.0, 1e12,
-           "Highest F of a program."),
-    number(kCoordinateSystem, "omron.rotary_axis_velocity", "3600.0", "degree/min", 0.0, 1e12,
-           "Speed of A, B and C in cutting moves."),
-    number(kDefaults, "omron.acceleration_time", "100.0", "ms", 0, 250000,
-           "Acceleration time until a program has ta."),
-    number(kDefaults, "omron.deceleration_time", "100.0", "ms", 0, 250000,
-           "Deceleration time until a program has td."),
-    number(kDefaults, "omron.jerk_time", "0.0", "ms", 0, 125000, "Jerk time until a program has ts."),
-    Parameter{.key = "omron.spindle_axis",
-              .type = ValueType::boolean,
-              .default_value = "true",
-              .help = "Whether the spindle is an axis of the coordinate system: tapping turns it with Z.",
-              .group = kSpindle},
-    number(kSpindle, "omron.spindle_maximum_speed", "10000.0", "r/min", 0, 1e6, "Highest S of a program."),
-    number(kSpindle, "omron.spindle_orientation_velocity", "100.0", "r/min", 0, 1e6, "Speed of M19."),
-    text(kMCodeGroup, "omron.immediate_m_codes",
-         "M codes of output timing 1, on when the block is interpreted: \"8 20-25\"."),
-    text(kMCodeGroup, "omron.not_waiting_m_codes",
-         "M codes of output timing 2, on when the next move begins; all others have timing 0."),
-    integer(kMCodeGroup, "omron.tool_m_code", "100", -1, 191,
-            "M code whose argument VA is the number of the tool selected, as the PLC would do it; -1: none."),
-    integer(kMCodeGroup, "omron.tool", "0", 0, 9999, "Tool selected when the program starts; 0: none."),
-    Parameter{.key = "omron.optional_stop",
-              .type = ValueType::boolean,
-              .default_value = "false",
-              .help = "Whether the optional stop input is on: M01 stops.",
-              .group = kInputs},
-    Parameter{.key = "omron.overcut_operation_mode",
-              .type = ValueType::word,
-              .default_value = "\"detection\"",
-              .choices = "detection|prevention",
-              .help = "What becomes of blocks in which the tool would cut into the contour: an alarm, or "
-                      "they are left out.",
-              .group = kCoordinateSystem},
-    Parameter{.key = "omron.compensated_feed",
-              .type = ValueType::word,
-              .default_value = "\"center\"",
-              .choices = "center|edge",
-              .help = "What F counts for on arcs under G41 and G42: the centre of the tool or its edge.",
-              .group = kCoordinateSystem},
-    text(kInputs, "omron.block_skip", "Optional skip signals that are on: \"1 3 5-7\"."),
-    Parameter{.key = "omron.all_block_skips",
-              .type = ValueType::boolean,
-              .default_value = "false",
-              .help = "Whether all optional skip signals are on.",
-              .group = kInputs},
-    number(kMotor, "omron.axis.*.reference_2", "0.0", "mm", -kFar, kFar,
-           "Machine coordinate of the 2nd reference point (G30)."),
-    number(kMotor, "omron.axis.*.reference_3", "0.0", "mm", -kFar, kFar,
-           "The same of the 3rd reference point."),
-    number(kMotor, "omron.axis.*.reference_4", "0.0", "mm", -kFar, kFar,
-           "The same of the 4th reference point."),
-    Parameter{.key = "omron.axis.*.skip_velocity",
-              .type = ValueType::number,
-              .default_value = "600.0",
-              .unit = "mm/min",
-              .minimum = 0.0,
-              .maximum = 1e12,
-              .help = "Speed of the motor in G31.",
-              .above_minimum = true,
-              .group = kMotor},
-    Parameter{.key = "omron.axis.*.skip_input",
-              .type = ValueType::word,
-              .default_value = "\"none\"",
-              .choices = "none|position|time|X|Y|Z|A|B|C",
-              .help =
-                  "When the simulated skip input of the motor turns on in G31: never, at a position, at a "
-                  "time, or with that of another motor.",
-              .group = kMotor},
-    number(kMotor, "omron.axis.*.skip_position", "0.0", "mm", -kFar, kFar,
-           "Machine coordinate at which it turns on, with \"position\"."),
-    number(kMotor, "omron.axis.*.skip_time", "0.0", "s", 0.0, kFar,
-           "Seconds from the start of the movement until it turns on, with \"time\"."),
-};
 
 constexpr std::string_view kNotShared[] = {"offsets.EXT.*"};
 
@@ -164,6 +44,31 @@ SkipInput skip_input(const Settings& settings, Axis axis) {
   return input;
 }
 
+OperationSettings normal_operation(const Settings& settings) {
+  OperationSettings normal;
+  normal.maximum_feedrate = settings.number("omron.maximum_feedrate");
+  normal.rotary_velocity = settings.number("omron.rotary_axis_velocity");
+  normal.ramps = {settings.number("omron.acceleration_time"), settings.number("omron.deceleration_time"),
+                  settings.number("omron.jerk_time")};
+  return normal;
+}
+
+OperationSettings extended_operation(const Settings& settings, const OperationSettings& normal,
+                                     std::size_t set) {
+  OperationSettings own = normal;
+  const auto take = [&](std::string_view key, double& value, double least) {
+    const double number = settings.number(extended_key(key, set));
+    if (number >= least) value = number;
+  };
+  constexpr double kGiven = std::numeric_limits<double>::min();
+  take("omron.extended_#.maximum_feedrate", own.maximum_feedrate, kGiven);
+  take("omron.extended_#.rotary_axis_velocity", own.rotary_velocity, kGiven);
+  take("omron.extended_#.acceleration_time", own.ramps.acceleration, 0.0);
+  take("omron.extended_#.deceleration_time", own.ramps.deceleration, 0.0);
+  take("omron.extended_#.jerk_time", own.ramps.jerk, 0.0);
+  return own;
+}
+
 }  // namespace
 
 std::optional<std::vector<int>> numbers_in(std::string_view list, int least, int greatest) {
@@ -181,10 +86,6 @@ std::optional<std::vector<int>> numbers_in(std::string_view list, int least, int
   }
 }
 
-std::span<const Parameter> parameters() {
-  return kParameters;
-}
-
 std::span<const std::string_view> keys_not_shared() {
   return kNotShared;
 }
@@ -197,11 +98,9 @@ ControllerSettings controller_settings(const Settings& settings, const Machine& 
   ControllerSettings c;
   c.version_1_02 = settings.text("omron.cnc_version") == "1.02";
   c.inch = settings.text("omron.command_unit") == "inch";
-  c.maximum_feedrate = settings.number("omron.maximum_feedrate");
-  c.rotary_velocity = settings.number("omron.rotary_axis_velocity");
-  c.acceleration_time = settings.number("omron.acceleration_time");
-  c.deceleration_time = settings.number("omron.deceleration_time");
-  c.jerk_time = settings.number("omron.jerk_time");
+  c.normal = normal_operation(settings);
+  for (std::size_t set = 0; set < kExtendedSets; ++set)
+    c.extended[set] = extended_operation(settings, c.normal, set);
   c.has_spindle_axis = settings.boolean("omron.spindle_axis");
   c.spindle_maximum = settings.number("omron.spindle_maximum_speed");
   c.orientation_velocity = settings.number("omron.spindle_orientation_velocity");

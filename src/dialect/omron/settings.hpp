@@ -5,12 +5,14 @@
 #include <bitset>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/axis.hpp"
 #include "execute/action.hpp"
 #include "execute/skip_input.hpp"
+#include "execute/state.hpp"
 #include "machine/machine.hpp"
 #include "machine/parameter.hpp"
 #include "machine/settings.hpp"
@@ -20,17 +22,25 @@ namespace kerf::omron {
 inline constexpr std::size_t kMCodes = 192;
 inline constexpr std::size_t kReferencePoints = 3;  ///< the 2nd to the 4th
 
-/// AxisSettings::other_rates: the skip velocity of the motors (G31).
+inline constexpr std::size_t kExtendedSets = 3;  ///< parameter sets 0, 1 and 2 of G500 and G501
+
+/// AxisSettings::other_rates: the skip velocity of the motors (G31), and from kExtendedRates on what the
+/// extended sets have.
 inline constexpr RateSet kSkipRates = 1;
+inline constexpr RateSet kExtendedRates = 2;
+
+/// What a parameter set of G500 and G501 changes besides the rates of the axes.
+struct OperationSettings {
+  double maximum_feedrate = 0.0;  ///< in the unit in force a minute
+  double rotary_velocity = 0.0;   ///< degree/min
+  RampTimes ramps;                ///< until the program says otherwise
+};
 
 struct ControllerSettings {
-  bool version_1_02 = true;           ///< CNC version 1.02 or higher, else 1.01 or lower
-  bool inch = false;                  ///< command unit of the orthogonal axes at the start
-  double maximum_feedrate = 0.0;      ///< mm/min
-  double rotary_velocity = 0.0;       ///< degree/min
-  double acceleration_time = 0.0;     ///< ms, of the program until it says otherwise
-  double deceleration_time = 0.0;     ///< ms
-  double jerk_time = 0.0;             ///< ms
+  bool version_1_02 = true;  ///< CNC version 1.02 or higher, else 1.01 or lower
+  bool inch = false;         ///< command unit of the orthogonal axes at the start
+  OperationSettings normal;  ///< parameter set 99
+  std::array<OperationSettings, kExtendedSets> extended;
   double spindle_maximum = 0.0;       ///< r/min
   double orientation_velocity = 0.0;  ///< r/min
   std::int32_t tool_m_code = -1;      ///< whose argument VA is the tool that is selected; -1: none
@@ -40,10 +50,18 @@ struct ControllerSettings {
   std::bitset<32> skips;  ///< optional skip signals that are on, by number
   std::array<OutputTiming, kMCodes> timing{};
   std::array<AxisVector, kReferencePoints> references;
+
+  /// Of the parameter set in force (Registers::rates).
+  const OperationSettings& operation(RateSet rates) const {
+    return rates < kExtendedRates ? normal : extended[rates - kExtendedRates];
+  }
+
   SkipInputs skip_inputs;
 };
 
 std::span<const Parameter> parameters();
+/// The key with the number of an extended set in place of its `#`.
+std::string extended_key(std::string_view key, std::size_t set);
 std::span<const std::string_view> keys_not_shared();
 std::span<const DefaultOverride> default_machine();
 ControllerSettings controller_settings(const Settings& settings, const Machine& machine);
