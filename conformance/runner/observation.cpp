@@ -99,6 +99,7 @@ struct Describe {
         break;
     }
     if (spindle.direction != SpindleDirection::off) event.fields.push_back({"rpm", spindle.rpm});
+    if (spindle.direction == SpindleDirection::orient) event.fields.push_back({"angle", spindle.angle});
     return true;
   }
   bool operator()(const ToolChange& change) const {

@@ -166,7 +166,7 @@ enum class OutputTiming : std::uint8_t {
   with_next_move,  ///< when the next move begins; the program does not wait
 };
 
-/// An M code that is handed to the machine as it is.
+/// An M code that is handed to the machine as it is. With arguments its timing is synchronous.
 struct Auxiliary {
   static constexpr std::size_t kArguments = 8;
   std::int32_t code = 0;
@@ -181,6 +181,7 @@ struct Spindle {
   SpindleDirection direction = SpindleDirection::off;
   double rpm = 0.0;      ///< effective speed after limits and override; 0 when off
   double seconds = 0.0;  ///< time the program waits for the speed
+  double angle = 0.0;    ///< of orient: where the spindle stops, degrees
 };
 
 struct ToolChange {

@@ -48,9 +48,10 @@ void TappingCycle::go(MoveMode mode, const AxisVector& target, ActionQueue& queu
 void TappingCycle::spindle(SpindleDirection direction, ActionQueue& queue) const {
   Spindle& spindle = queue.push<Spindle>();
   spindle.direction = direction;
-  if (direction == SpindleDirection::orient)
+  if (direction == SpindleDirection::orient) {
     spindle.rpm = plan_.orient_rpm;
-  else if (direction != SpindleDirection::off)
+    spindle.angle = plan_.orient_angle;
+  } else if (direction != SpindleDirection::off)
     spindle.rpm = plan_.rpm;
 }
 

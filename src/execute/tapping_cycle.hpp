@@ -24,6 +24,7 @@ struct TappingPlan {
   SpindleDirection cuts = SpindleDirection::clockwise;  ///< on the way in
   double rpm = 0.0;
   double orient_rpm = 0.0;
+  double orient_angle = 0.0;      ///< degrees
   bool has_spindle_axis = false;  ///< it turns with Z along the strokes; else the machine is told to turn it
 };
 

@@ -55,6 +55,9 @@ Pause pause_of(const ActionVariant& what) {
   if (const auto* alarm = std::get_if<Alarm>(&what)) {
     return {BlockKind::other, 0.0, stops_program(*alarm)};
   }
+  if (const auto* auxiliary = std::get_if<Auxiliary>(&what)) {
+    return {BlockKind::other, 0.0, auxiliary->timing == OutputTiming::synchronous};
+  }
   if (std::holds_alternative<CornerArc>(what)) return {BlockKind::other, 0.0, false};
   return {};
 }

@@ -39,7 +39,7 @@ struct Describer {
       case SpindleDirection::off:
         return "spindle off";
       case SpindleDirection::orient:
-        return "spindle orient";
+        return "spindle orient " + rounded_text(spindle.angle, 3) + " deg";
       case SpindleDirection::clockwise:
         return "spindle cw " + rounded_text(spindle.rpm, 3) + " rpm";
       case SpindleDirection::counterclockwise:

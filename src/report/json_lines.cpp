@@ -114,6 +114,10 @@ void write_event(const Origin& origin, const Spindle& spindle, std::string& out)
   out += direction_word(spindle.direction);
   out += "\",\"rpm\":";
   append_number(out, spindle.rpm);
+  if (spindle.direction == SpindleDirection::orient) {
+    out += ",\"angle\":";
+    append_number(out, spindle.angle);
+  }
   close_with_line(origin, out);
 }
 

@@ -88,6 +88,7 @@ bool BlockRun::fixed_cycle() {
   plan.cuts = right ? SpindleDirection::clockwise : SpindleDirection::counterclockwise;
   plan.rpm = registers.spindle_rpm;
   plan.orient_rpm = settings_.orientation_velocity;
+  plan.orient_angle = settings_.orientation_angle;
   plan.has_spindle_axis = settings_.has_spindle_axis;
   if (!taking_over_) {
     if (!cycle_inside_travel(plan)) return false;

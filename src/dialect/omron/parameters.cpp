@@ -70,6 +70,8 @@ constexpr Parameter kParameters[] = {
               .group = kSpindle},
     number(kSpindle, "omron.spindle_maximum_speed", "10000.0", "r/min", 0, 1e6, "Highest S of a program."),
     number(kSpindle, "omron.spindle_orientation_velocity", "100.0", "r/min", 0, 1e6, "Speed of M19."),
+    number(kSpindle, "omron.spindle_orientation_position", "0.0", "degree", 0, 360,
+           "Angle at which M19 stops the spindle."),
     text(kMCodeGroup, "omron.immediate_m_codes",
          "M codes of output timing 1, on when the block is interpreted: \"8 20-25\"."),
     text(kMCodeGroup, "omron.not_waiting_m_codes",

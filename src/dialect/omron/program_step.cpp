@@ -115,7 +115,9 @@ void BlockRun::turn_spindle(SpindleDirection direction) {
   Spindle& spindle = queue_.push<Spindle>();
   spindle.direction = direction;
   if (turns) spindle.rpm = registers.spindle_rpm;
-  if (direction == SpindleDirection::orient) spindle.rpm = settings_.orientation_velocity;
+  if (direction != SpindleDirection::orient) return;
+  spindle.rpm = settings_.orientation_velocity;
+  spindle.angle = settings_.orientation_angle;
 }
 
 bool BlockRun::call_program() {

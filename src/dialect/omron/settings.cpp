@@ -104,6 +104,7 @@ ControllerSettings controller_settings(const Settings& settings, const Machine& 
   c.has_spindle_axis = settings.boolean("omron.spindle_axis");
   c.spindle_maximum = settings.number("omron.spindle_maximum_speed");
   c.orientation_velocity = settings.number("omron.spindle_orientation_velocity");
+  c.orientation_angle = settings.number("omron.spindle_orientation_position");
   c.tool_m_code = static_cast<std::int32_t>(settings.integer("omron.tool_m_code"));
   c.tool = static_cast<std::int32_t>(settings.integer("omron.tool"));
   c.optional_stop = settings.boolean("omron.optional_stop");

@@ -43,6 +43,7 @@ struct ControllerSettings {
   std::array<OperationSettings, kExtendedSets> extended;
   double spindle_maximum = 0.0;       ///< r/min
   double orientation_velocity = 0.0;  ///< r/min
+  double orientation_angle = 0.0;     ///< degrees
   std::int32_t tool_m_code = -1;      ///< whose argument VA is the tool that is selected; -1: none
   std::int32_t tool = 0;              ///< selected at the start; 0: none
   bool has_spindle_axis = true;
