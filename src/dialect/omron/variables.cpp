@@ -23,14 +23,14 @@ std::optional<std::int64_t> variable_named(std::string_view name) {
   return variable_number(name.front(), address);
 }
 
-MacroVariableLayout variable_layout(std::size_t motors) {
+MacroVariableLayout variable_layout(int motors) {
   MacroVariableLayout layout;
   layout.first_local = 0;
   layout.locals = kLocalVariables;
   layout.levels = kDeepestCall + 1;
   layout.first_common = kLocalVariables;
   layout.common = kSystemVariables + kSharedVariables;
-  layout.system = static_cast<std::int64_t>(motors);
+  layout.system = motors;
   return layout;
 }
 

@@ -21,6 +21,6 @@ std::optional<std::int64_t> variable_number(char bank, std::int64_t address);
 std::optional<std::int64_t> variable_named(std::string_view name);
 
 /// System values are the positions captured of each motor.
-MacroVariableLayout variable_layout(std::size_t motors);
+MacroVariableLayout variable_layout(int motors);
 
 }  // namespace kerf::omron
