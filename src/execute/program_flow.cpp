@@ -92,6 +92,8 @@ ProgramFlow::Step ProgramFlow::execute(const Statement& statement, Block& block,
   switch (statement.kind) {
     case StatementKind::words:
       return fill(statement, block, variables);
+    case StatementKind::lines:
+      return read_line(statement, block);
     case StatementKind::assignment:
       return assign(statement, variables);
     case StatementKind::go_to:
@@ -190,6 +192,24 @@ ProgramFlow::Step ProgramFlow::fill(const Statement& statement, Block& block,
   return Step::block;
 }
 
+/// The compiler has seen that the last line has words.
+ProgramFlow::Step ProgramFlow::read_line(const Statement& statement, Block& block) {
+  Frame& frame = here();
+  const std::string_view text = frame.program->source->text();
+  const SourceSpan& all = statement.span;
+  if (frame.line.line == 0) frame.line = {all.offset, all.offset - (all.column - 1), all.line};
+  do {
+    read_plain_line(frame.line, text, frame.program->plain_letters, block);
+  } while (block.words.empty());
+  span_ = block.span;
+  sequence_number_ = static_cast<std::int32_t>(block.span.line);
+  if (frame.line.at >= all.offset + all.length) {
+    frame.line = {};
+    ++frame.next;
+  }
+  return Step::block;
+}
+
 ProgramFlow::Step ProgramFlow::assign(const Statement& statement, MacroVariables& variables) {
   double number = 0.0;
   double value = 0.0;
@@ -210,6 +230,7 @@ bool ProgramFlow::count_round() {
 
 ProgramFlow::Step ProgramFlow::jump(StatementIndex target) {
   if (target <= here().next && !count_round()) return fail(FlowFault::endless);
+  if (here().next != target) here().line = {};
   here().next = target;
   return Step::on;
 }
@@ -357,6 +378,7 @@ ProgramFlow::Result ProgramFlow::repeat(MacroVariables& variables) {
   Frame& frame = here();
   --frame.repetitions_left;
   frame.next = frame.entry;
+  frame.line = {};
   if (frame.renews_locals) variables.clear_level();
   return Result::block;
 }

@@ -114,6 +114,7 @@ class ProgramFlow {
     StatementIndex next = 0;
     StatementIndex entry = 0;  ///< where a repetition starts
     StatementIndex call = 0;   ///< statement of the last call made from here
+    LinePlace line;            ///< how far StatementKind::lines has been read
     std::int32_t repetitions_left = 0;
     bool macro = false;  ///< has locals of its own
     bool renews_locals = false;
@@ -129,6 +130,7 @@ class ProgramFlow {
   Step enter_range(const Statement& statement, const MacroVariables& variables);
   Step enter_loop(const Statement& statement, const MacroVariables& variables);
   Step end_loop(const Statement& statement);
+  Step read_line(const Statement& statement, Block& block);
   Step fill(const Statement& statement, Block& block, const MacroVariables& variables);
   Step jump(StatementIndex target);
   /// Counts a jump back, a repetition or a call; false when there were too many.

@@ -8,6 +8,7 @@
 #include "base/alarm.hpp"
 #include "syntax/block.hpp"
 #include "syntax/expression.hpp"
+#include "syntax/plain_line.hpp"
 #include "syntax/source.hpp"
 
 namespace kerf {
@@ -18,6 +19,8 @@ inline constexpr StatementIndex kNoStatement = 0xFFFFFFFF;
 
 enum class StatementKind : std::uint8_t {
   words,       ///< a block of words for the block rules
+  lines,       ///< lines of plain words, each such a block (plain_line.hpp), from the start of `span` on; the
+               ///< line is the sequence number
   assignment,  ///< the variable whose number is `target` becomes `value`
   go_to,       ///< to the sequence number `value`; when `condition` is given, only if it holds
   if_then,     ///< enters the IF range `range`; to `jump` when `condition` does not hold
@@ -87,6 +90,7 @@ struct CompiledProgram {
   std::vector<StatementRange> ranges;
   std::vector<StatementFault> faults;
   std::vector<SequenceLabel> labels;  ///< sorted by number, then by place
+  LetterSet plain_letters{""};        ///< of words in StatementKind::lines
   bool refused = false;               ///< the controller did not load it: a fault is all it holds
 
   Expression expression(const ExpressionRef& ref) const {

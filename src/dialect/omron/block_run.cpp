@@ -44,9 +44,8 @@ void BlockRun::take_over() {
 /// The unit of the block counts for all of its words.
 bool BlockRun::collect() {
   if (!words_.collect(block_, alarm)) return false;
-  constexpr double kInch = 25.4;
   const CodeNumber unit = words_.has(Group::unit) ? words_[Group::unit] : registers.modal[Group::unit];
-  unit_mm_ = unit == code(20) ? kInch : 1.0;
+  unit_mm_ = millimetres_of(unit);
   in_cycle_ = registers.modal[Group::fixed_cycle] != code(80);
   return true;
 }

@@ -73,7 +73,6 @@ class BlockRun {
   bool push(MoveMode mode, const AxisVector& end, const AxisVector& commanded, const Plane& plane = kPlaneXY,
             const Arc& arc = {});
   double effective_feed(const Move& move) const;
-  double limited_feed() const;
   AxisVector real_position(const AxisVector& programmed, AxisSet named) const;
   void arrive(const AxisVector& programmed, AxisSet named);
   // radius_step.cpp

@@ -82,7 +82,7 @@ bool BlockRun::fixed_cycle() {
   plan.bottom = plan.first_hole[Axis::Z];
   plan.return_level = real(hole, back)[Axis::Z];
   plan.dwell_s = words.dwell_s;
-  plan.feed = limited_feed();
+  plan.feed = limited_feed(registers, settings_);
   plan.rates = registers.rates;
   const bool right = registers.modal[Group::fixed_cycle] == code(84);
   plan.cuts = right ? SpindleDirection::clockwise : SpindleDirection::counterclockwise;

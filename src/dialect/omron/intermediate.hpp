@@ -16,6 +16,7 @@ class IntermediateCode {
  public:
   explicit IntermediateCode(bool keeps_text) : keeps_text_(keeps_text) {}
 
+  bool keeps_text() const { return keeps_text_; }
   /// A word of a block, as it is written in the source, with the sign and digits of its value or the name of
   /// the variable that gives it.
   struct Word {

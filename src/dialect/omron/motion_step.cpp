@@ -133,17 +133,12 @@ double BlockRun::effective_feed(const Move& move) const {
     counted = way_of_arc(move.arc.radius, end_radius, radians(std::abs(move.arc.sweep)));
     straight = std::hypot(counted, kSpace.contains(move.plane.third) ? way[move.plane.third] : 0.0);
   }
-  const double feed = limited_feed();
-  const double minutes =
-      std::max(straight / feed, turn / settings_.operation(registers.rates).rotary_velocity);
-  if (counted == straight && minutes * feed == straight) return feed;
+  const double feed = limited_feed(registers, settings_);
+  const double turning_minutes = turn / settings_.operation(registers.rates).rotary_velocity;
+  const double minutes = std::max(straight / feed, turning_minutes);
+  if (counted == straight && straight > 0.0 && straight / feed >= turning_minutes) return feed;
   if (counted <= 0.0) counted = length_of(way, rules_.machine().axes);
   return minutes > 0.0 ? counted / minutes : feed;
-}
-
-/// The feed in force, not above what the parameter set in force allows.
-double BlockRun::limited_feed() const {
-  return std::min(registers.feed, settings_.operation(registers.rates).maximum_feedrate * unit_mm_);
 }
 
 bool BlockRun::arc(bool clockwise) {

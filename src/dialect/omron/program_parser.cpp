@@ -19,6 +19,7 @@ void ProgramParser::run(std::vector<ParseFault>& faults) {
   for (;;) {
     scanner_.next_line_with_text();
     if (scanner_.at_text_end() || faults.size() >= kMostFaults) return;
+    if (plain_lines()) continue;
     Command kind = Command::none;
     if (!command(kind)) note_fault();
   }
@@ -175,7 +176,7 @@ bool ProgramParser::commands_to_brace(std::size_t& count, Command& last) {
       return scanner_.fail("syntax", "The brace that is opened here is never closed.", open);
     if (scanner_.take('}')) return true;
     if (faults_->size() >= kMostFaults) return fail("syntax", {});
-    if (!command(last)) note_fault();
+    if (!plain_lines() && !command(last)) note_fault();
     ++count;
   }
 }

@@ -37,6 +37,7 @@ class ProgramParser {
   enum class Command : std::uint8_t { none, block, program_code };
 
   bool command(Command& kind);
+  bool plain_lines();
   bool program_code(bool& found);
   bool body();
   bool commands_to_brace(std::size_t& count, Command& last);
@@ -78,6 +79,7 @@ class ProgramParser {
   std::size_t start_ = 0;       ///< of the block being read
   SourceSpan block_;            ///< the block being read, up to the cursor
   bool first_of_block_ = true;  ///< no statement of the block was added yet
+  std::size_t few_until_ = 0;   ///< in front of this position few lines of plain words stand together
   int depth_ = 0;
   std::vector<Jumps> breaks_;  ///< of the loops and switches around
 };

@@ -8,7 +8,7 @@
 namespace kerf::omron {
 namespace {
 
-constexpr std::string_view kLetters = "ABCFGIJKLMPRSXYZ";
+constexpr LetterSet kLetters("ABCFGIJKLMPRSXYZ");
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
@@ -75,6 +75,32 @@ bool ProgramParser::at_end_of_command() {
 
 // ---- words
 
+/// Takes the lines of plain words that come next as one statement, when they are many. Not for intermediate
+/// code, which has every word.
+bool ProgramParser::plain_lines() {
+  constexpr int kMany = 16;
+  constexpr std::size_t kLongest = std::size_t{1} << 31;  // bytes, so that a span can hold it
+  if (code_.keeps_text() || scanner_.position() < few_until_) return false;
+  LinePlace place = scanner_.place();
+  LinePlace behind = place;
+  int lines = 0;
+  bool has_words = false;
+  while (place.at < scanner_.text().size() && place.at - scanner_.position() < kLongest &&
+         pass_plain_line(place, scanner_.text(), kLetters, has_words)) {
+    if (!has_words) continue;
+    ++lines;
+    behind = place;
+  }
+  few_until_ = place.at;
+  if (lines < kMany) return false;
+  first_of_block_ = true;
+  block_ = scanner_.span_here(behind.at - scanner_.position());
+  program_.plain_letters = kLetters;
+  add(StatementKind::lines);
+  scanner_.go_to(behind);
+  return true;
+}
+
 bool ProgramParser::words(int skip) {
   const StatementIndex index = add(StatementKind::words);
   const auto first = static_cast<std::uint32_t>(program_.words.size());
@@ -102,7 +128,7 @@ bool ProgramParser::address(char& address, std::string_view& text) {
   } else if (c == 'V' && second >= 'A' && second <= 'H') {
     scanner_.skip(2);
     address = kArguments[static_cast<std::size_t>(second - 'A')];
-  } else if (kLetters.find(c) != std::string_view::npos) {
+  } else if (kLetters.contains(c)) {
     scanner_.skip();
     address = c;
   } else if (c == 'N') {

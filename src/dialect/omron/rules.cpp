@@ -1,8 +1,11 @@
 #include "dialect/omron/rules.hpp"
 
+#include <algorithm>
+
 #include "dialect/omron/alarms.hpp"
 #include "dialect/omron/block_run.hpp"
 #include "dialect/omron/compile.hpp"
+#include "dialect/omron/coordinate_block.hpp"
 #include "dialect/omron/variables.hpp"
 #include "execute/program_store.hpp"
 
@@ -70,6 +73,7 @@ void Rules::begin_program(State& state) const {
 
 BlockOutcome Rules::execute(const Block& block, State& state, ActionQueue& queue,
                             BlockEffects& effects) const {
+  if (run_coordinate_block(*this, block, state, queue)) return BlockOutcome::done;
   const Registers before = state.registers;
   BlockRun run(*this, block, state, queue, effects.flow);
   if (!run.run()) {
@@ -120,6 +124,16 @@ Alarm Rules::syntax_alarm(SyntaxFault, const SourceSpan& span) const {
 
 AxisVector Rules::work_origin(const State& state) const {
   return workpiece_origin(state.registers, state.tables);
+}
+
+double millimetres_of(CodeNumber unit) {
+  constexpr double kInch = 25.4;
+  return unit == code(20) ? kInch : 1.0;
+}
+
+double limited_feed(const Registers& registers, const ControllerSettings& settings) {
+  const double unit = millimetres_of(registers.modal[Group::unit]);
+  return std::min(registers.feed, settings.operation(registers.rates).maximum_feedrate * unit);
 }
 
 AxisVector workpiece_origin(const Registers& registers, const Tables& tables) {

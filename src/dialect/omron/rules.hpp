@@ -42,6 +42,12 @@ class Rules final : public BlockRules {
   Travel travel_;
 };
 
+/// Millimetres of a length of 1 in the unit of a code: G20 or G21.
+double millimetres_of(CodeNumber unit);
+
+/// The feed in force, mm/min, not above what the parameter set in force allows in the unit in force.
+double limited_feed(const Registers& registers, const ControllerSettings& settings);
+
 /// Machine coordinates of the zero point in force: the work coordinate system, if one is selected, and the
 /// local coordinate system.
 AxisVector workpiece_origin(const Registers& registers, const Tables& tables);

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "base/source_span.hpp"
+#include "syntax/plain_line.hpp"
 
 namespace kerf::omron {
 
@@ -43,6 +44,13 @@ class Scanner {
   void skip_line();
 
   std::size_t position() const { return at_; }
+  LinePlace place() const { return {at_, line_start_, line_}; }
+  void go_to(const LinePlace& place) {
+    at_ = place.at;
+    line_start_ = place.start;
+    line_ = place.line;
+  }
+  std::string_view text() const { return text_; }
   std::uint32_t line() const { return line_; }
   std::string_view since(std::size_t position) const { return text_.substr(position, at_ - position); }
   /// From a position on this line to the cursor.
