@@ -124,15 +124,30 @@ struct Cutting {
   InterferenceCheck check = InterferenceCheck::avoid;
   StartType type = StartType::A;
   Plane plane = kPlaneXY;
-  bool dgshape = false;  ///< its rules, which have no check
+  bool dgshape = false;     ///< its rules, which have no check
+  bool sees_ahead = false;  ///< the rules of OMRON
 };
 
 inline double left_mm(const Cutting& cutting) {
   return cutting.side == Side::left ? cutting.tool : -cutting.tool;
 }
 
-/// The rules of MELSEC, or of DGSHAPE.
+/// Its blocks are all seen together.
+inline RadiusCompensationPolicy omron_policy(const Cutting& cutting) {
+  RadiusCompensationPolicy policy = compensation_policy(StartType::A);
+  policy.small_angle_deg = 0.0;
+  policy.blocks_without_motion = policy.interference_blocks = 60;
+  policy.rounds_acute = true;
+  policy.stops_before_fault = true;
+  policy.sees_contour_ahead = cutting.check != InterferenceCheck::none;
+  policy.interference = cutting.check;
+  policy.interference_alarm = &kInterference;
+  return policy;
+}
+
+/// The rules of MELSEC, or of another controller.
 inline RadiusCompensationPolicy policy_of(const Cutting& cutting) {
+  if (cutting.sees_ahead) return omron_policy(cutting);
   RadiusCompensationPolicy policy = compensation_policy(cutting.type);
   if (cutting.dgshape) return policy;
   policy.small_angle_deg = 0.0;

@@ -48,6 +48,8 @@ struct RadiusCompensationPolicy {
   bool stops_before_fault = false;  ///< the block that ends at an impossible corner is not made
   InterferenceCheck interference = InterferenceCheck::none;
   std::size_t interference_blocks = 4;  ///< farther apart than this two blocks are not seen together
+  bool sees_contour_ahead = false;  ///< the check looks at all blocks seen together, not at neighbours alone;
+                                    ///< not with small_arcs_turn_over
   const AlarmKind* interference_alarm = nullptr;  ///< must be given with a check
   const AlarmKind* start_with_arc = nullptr;
   const AlarmKind* end_with_arc = nullptr;

@@ -5,23 +5,24 @@
 #include "geometry/segment_distance.hpp"
 
 namespace kerf {
-namespace {
 
-constexpr double kCut = 5e-4;  // mm; no deeper into a block than this
-
-/// How far a segment goes on from one point to another, less than 0 when it runs back. mm
 double advance_along(const OffsetSegment& segment, Vec2 from, Vec2 to) {
   const PlanarSegment& programmed = segment.programmed;
   if (!programmed.is_arc) return dot(to - from, segment.begins);
   const bool turned_over = offset_radius(programmed, segment.left_mm) <= 0.0;
   if (turned_over) return dot(to - from, unit(programmed.end - programmed.start));
   const bool clockwise = programmed.sweep_deg < 0.0;
-  const Vec2 center = programmed.center;
-  const double left_deg = std::abs(programmed.sweep_deg) -
-                          ahead_deg(programmed.start - center, from - center, clockwise) +
-                          ahead_deg(programmed.end - center, to - center, clockwise);
+  // Both are seen alike from the centre; the programmed one may be a mere corner.
+  const PlanarSegment& arc = programmed.radius > 0.0 ? programmed : segment.offset;
+  const Vec2 center = arc.center;
+  const double left_deg = std::abs(arc.sweep_deg) - ahead_deg(arc.start - center, from - center, clockwise) +
+                          ahead_deg(arc.end - center, to - center, clockwise);
   return segment.offset.radius * radians(left_deg);
 }
+
+namespace {
+
+constexpr double kCut = 5e-4;  // mm; no deeper into a block than this
 
 bool runs_back(const OffsetSegment& segment, Vec2 from, Vec2 to) {
   return advance_along(segment, from, to) < -kBack;

@@ -11,6 +11,9 @@ namespace kerf {
 
 inline constexpr double kBack = 1e-6;  ///< mm; a way back that rounding may make
 
+/// How far a segment goes on from one point to another, less than 0 when it runs back. mm
+double advance_along(const OffsetSegment& segment, Vec2 from, Vec2 to);
+
 enum class Interference : std::uint8_t {
   none,
   partly,  ///< the points that interfered are gone

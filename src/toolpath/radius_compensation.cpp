@@ -9,7 +9,8 @@
 
 namespace kerf {
 
-RadiusCompensationPass::RadiusCompensationPass(const RadiusCompensationPolicy& policy) : policy_(policy) {
+RadiusCompensationPass::RadiusCompensationPass(const RadiusCompensationPolicy& policy)
+    : policy_(policy), overcuts_(policy) {
   assert(policy.start_with_arc != nullptr && policy.end_with_arc != nullptr);
   assert(policy.inner_arc_radius != nullptr && policy.no_crossover != nullptr);
   assert(policy.side_change != nullptr && policy.corner_arc_outside != nullptr);
@@ -17,6 +18,7 @@ RadiusCompensationPass::RadiusCompensationPass(const RadiusCompensationPolicy& p
 
 void RadiusCompensationPass::reset() {
   out_.clear();
+  overcuts_.reset();
   turn_off(false);
   after_alarm_ = from_rest_ = unjoined_ = false;
 }
@@ -36,7 +38,10 @@ bool RadiusCompensationPass::passes_through(const Action& action) const {
 }
 
 void RadiusCompensationPass::push(const Action& action) {
-  if (std::holds_alternative<CornerArc>(action.what)) {
+  if (refuses_held(action)) {
+    leave_before_and_stop();
+    refuse(held().action.origin);
+  } else if (std::holds_alternative<CornerArc>(action.what)) {
     push_corner_arc(action);
   } else if (state_ == State::off) {
     push_while_off(action);
@@ -48,6 +53,13 @@ void RadiusCompensationPass::push(const Action& action) {
   } else {
     push_motionless(action);
   }
+}
+
+// The alarm that OvercutCheck puts behind a block.
+bool RadiusCompensationPass::refuses_held(const Action& action) const {
+  const Alarm* alarm = std::get_if<Alarm>(&action.what);
+  return alarm != nullptr && overcuts_.is_on() && state_ == State::running &&
+         alarm->kind == policy_.interference_alarm;
 }
 
 void RadiusCompensationPass::push_while_off(const Action& action) {
@@ -143,6 +155,7 @@ void RadiusCompensationPass::start(const Action& action, const Move& move) {
   displaced_ = after_alarm_ = has_corner_arc_ = unjoined_ = false;
   corner_arc_block_ = 0;
   held().action = action;
+  held().led.reset();
   held().segment = offset_of(straight(point(), in_plane(move.end, plane_)), left_mm_);
   held().segment.offset.start = point();
   state_ = State::starting;

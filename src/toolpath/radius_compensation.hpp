@@ -11,6 +11,7 @@
 #include "execute/action.hpp"
 #include "execute/toolpath_policy.hpp"
 #include "toolpath/corner.hpp"
+#include "toolpath/overcut_check.hpp"
 #include "toolpath/path_queue.hpp"
 
 namespace kerf {
@@ -44,6 +45,8 @@ namespace kerf {
 /// - Without an interference check an inner corner may turn the direction of a short straight move round.
 /// With
 ///   one, a move is held back until the corner behind the next is known, too.
+/// - With sees_contour_ahead OvercutCheck reads ahead: a block may come with the corner by which it is to be
+///   left, and with its alarm behind it.
 /// - VectorRule gives the end of a move a point of its own; a suspended move goes to its programmed end, and
 ///   the one behind it from there to its own end point. Side and amount may change where the policy says so:
 ///   the corner before the move that changes them has the old amount.
@@ -60,7 +63,7 @@ class RadiusCompensationPass {
   const Action* next(Upstream& upstream) {
     for (;;) {
       if (const Action* ready = out_.pop()) return ready;
-      const Action* action = upstream.next();
+      const Action* action = overcuts_.is_on() ? overcuts_.next(upstream) : upstream.next();
       if (action == nullptr) {
         if (state_ == State::off) return nullptr;
         finish();
@@ -94,9 +97,10 @@ class RadiusCompensationPass {
   /// A move that is held back, or was a short while ago.
   struct HeldMove {
     Action action;
-    OffsetSegment segment;  ///< its offset begins where the tool enters it
-    bool computed = false;  ///< it begins where its corner was computed for its own amount
-    bool gentle = false;    ///< and that corner is gentle (Corner)
+    OffsetSegment segment;      ///< its offset begins where the tool enters it
+    bool computed = false;      ///< it begins where its corner was computed for its own amount
+    bool gentle = false;        ///< and that corner is gentle (Corner)
+    std::optional<Corner> led;  ///< what OvercutCheck gives it as the corner behind it
   };
 
   /// A corner arc that really turns.
@@ -140,6 +144,7 @@ class RadiusCompensationPass {
   bool held_keeps_clear(const Corner& corner) const;
   bool refuse_before();
   bool refuse(const Origin& refused);
+  bool refuses_held(const Action& action) const;
   void leave_held_at_right_angles();
   void settle();
   PlanarSegment way_of(const OffsetSegment& segment, Vec2 end) const;
@@ -193,6 +198,7 @@ class RadiusCompensationPass {
   bool has_corner_arc_ = false;         ///< one without a direction waits
   std::uint32_t corner_arc_block_ = 0;  ///< block of the last corner arc behind held(); 0: none
   PathQueue out_;
+  OvercutCheck overcuts_;
 };
 
 }  // namespace kerf

@@ -8,6 +8,7 @@
 namespace kerf {
 
 Corner RadiusCompensationPass::corner_to(const OffsetSegment& next) const {
+  if (held().led) return *held().led;
   const RadiusCompensation& own = held_move().compensation;
   if (own.rule != VectorRule::computed) {
     Corner corner = corner_at(held().segment.programmed.end + vector_of(own, left_mm_));
@@ -112,6 +113,7 @@ void RadiusCompensationPass::raise(const AlarmKind* kind, const Origin& origin,
   out_.add({origin, Alarm{kind, origin.span, message, {}}});
   turn_off(true);
   after_alarm_ = true;
+  overcuts_.restart();
 }
 
 void RadiusCompensationPass::raise_corner_fault(const Corner& corner, const Origin& next) {

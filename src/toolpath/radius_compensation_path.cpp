@@ -23,6 +23,7 @@ void RadiusCompensationPass::hold(const Action& action, const OffsetSegment& seg
   held().action = action;
   held().computed = computed;
   held().gentle = false;
+  held().led = overcuts_.led();
   held().segment = segment;
   begin_at(held().segment.offset, entry);
   has_corner_arc_ = unjoined_ = false;
@@ -93,6 +94,7 @@ bool RadiusCompensationPass::sees_together(const Origin& next) const {
 bool RadiusCompensationPass::advance_gently(const Action& action, const Move& move) {
   const Origin& origin = action.origin;
   const RadiusCompensation& beside = move.compensation;
+  if (overcuts_.led() || held().led) return false;
   if (!before_ || !held().gentle || !before_->corner.gentle || !before_move().gentle) return false;
   if (before_->waiting + out_.waiting() > 0 || origin.block != held().action.origin.block + 1) return false;
   if (is_arc(move.mode) || beside.rule != VectorRule::computed || left_offset(beside) != left_mm_)
@@ -120,6 +122,7 @@ bool RadiusCompensationPass::advance_gently(const Action& action, const Move& mo
   last.segment = next;
   last.segment.offset.start = point;
   last.computed = last.gentle = true;
+  last.led.reset();
   unjoined_ = false;
   corner_arc_block_ = 0;
   return true;
@@ -221,7 +224,7 @@ bool RadiusCompensationPass::refuse(const Origin& refused) {
 }
 
 void RadiusCompensationPass::leave_held_at_right_angles() {
-  const bool own = held_move().compensation.rule != VectorRule::computed;
+  const bool own = held().led || held_move().compensation.rule != VectorRule::computed;
   leave_held_at(own ? corner_to({}).points[0] : held().segment.offset.end);
 }
 

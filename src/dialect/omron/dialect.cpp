@@ -83,6 +83,7 @@ ToolpathPolicy toolpath_policy(const Settings& settings) {
   policy.compensation.feed_at_edge = settings.text("omron.compensated_feed") == "edge";
   policy.compensation.stops_before_fault = true;
   policy.compensation.interference = prevents ? InterferenceCheck::avoid : InterferenceCheck::alarm;
+  policy.compensation.sees_contour_ahead = true;
   policy.compensation.interference_alarm = &alarm_kind("overcut");
   policy.compensation.start_with_arc = &alarm_kind("compensation-start");
   policy.compensation.end_with_arc = &alarm_kind("compensation-end");
