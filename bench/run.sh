@@ -41,6 +41,9 @@ kerf_step "writing a program of $blocks blocks" build/bench-input.log bash -c "
   mkdir -p $work/contour
   awk -v folder=$work/contour -f bench/melsec_contour.awk" || exit 1
 printf '%%\n#101=0\nWHILE [#101 LT 10000000] DO1\n#101=#101+1\nEND1\nM02\n%%\n' >"$work/loop.gcd"
+# The same lines for the OMRON controller: other words around them.
+sed -e '/^%$/d' -e 's/^M02$/M30/' "$work/three_axes.nc" >"$work/omron.nc"
+printf 'L0=0\nwhile(L0<10000000) L0=L0+1\nM30\n' >"$work/loop.nc"
 # rs274 wants to know the tool and has no eight-digit program number.
 printf 'T7 P7 Z+48.0 D+4.0 ;ball nose\n' >"$work/tool.tbl"
 sed -e 's/^O00000104$/(O104)/' "$work/finishing.nc" >"$work/finishing.ngc"
@@ -147,3 +150,13 @@ heading 'MELSEC: a loop of ten million turns, three statements each' 30000000 "$
 base=
 # shellcheck disable=SC2086 # a list of words
 measure 'kerf path --quiet' "$kerf" path --quiet $variables "$work/loop.gcd"
+
+heading 'OMRON: three axes, four decimals' "$(wc -l <"$work/omron.nc")" "$(wc -c <"$work/omron.nc")"
+base=
+measure 'kerf path --quiet' "$kerf" path --quiet --dialect omron "$work/omron.nc"
+base=$median
+measure 'kerf run' "$kerf" run --dialect omron "$work/omron.nc"
+
+heading 'OMRON: a loop of ten million additions' 20000000 "$(wc -c <"$work/loop.nc")"
+base=
+measure 'kerf path --quiet' "$kerf" path --quiet --dialect omron "$work/loop.nc"
