@@ -105,10 +105,15 @@ std::vector<Controller> melsec_controllers() {
 
 std::vector<Controller> omron_controllers() {
   std::vector<Controller> made;
-  made.push_back(controller({}));
+  made.push_back(
+      controller({"omron.tool=1", "omron.axis.X.skip_input=position", "omron.axis.X.skip_position=5",
+                  "omron.axis.Z.skip_input=X", "omron.axis.Y.skip_input=time", "omron.axis.Y.skip_time=0.3",
+                  "omron.extended_1.maximum_feedrate=50", "omron.extended_1.axis.X.rapid=100"}));
   made.push_back(
       controller({"omron.cnc_version=1.01", "omron.command_unit=inch", "omron.all_block_skips=true",
                   "omron.optional_stop=true", "axes.X.limits=[-50,200]", "offsets.G54.X=10"}));
+  made.push_back(controller({"omron.tool=2", "omron.overcut_operation_mode=prevention", "tools.2.radius=0.5",
+                             "tools.3.radius=10", "omron.compensated_feed=edge"}));
   made.push_back(controller(
       {"omron.block_skip=1 3-5", "omron.immediate_m_codes=0-191", "omron.tool=1", "axes.Z.start=20"}));
   return made;
