@@ -68,7 +68,7 @@ TEST(OmronIntermediate, SubprogramOfTheManual) {
 // OMR-664, 665: a return for each M99, the footer's own only when the last block has none.
 TEST(OmronIntermediate, EveryReturnHasItsLine) {
   EXPECT_EQ(code_of("if(Q0==1){M99}\nX1\n", 2999),
-            "open subprog 2999\nif(Q0 == 1)\nN1 M99 M999.002\nreturn\nN2 X1 M999.002\nreturn\nclose\n");
+            "open subprog 2999\nif(Q0 == 1)\n{\nN1 M99 M999.002\nreturn\n}\nN2 X1 M999.002\nreturn\nclose\n");
   EXPECT_EQ(code_of("M99\n"), "open prog 1\nN1 M99 M999.002\nreturn\nclose\n");
 }
 
@@ -123,6 +123,25 @@ TEST(OmronIntermediate, BlocksHaveAtMost1020Bytes) {
   ASSERT_EQ(faults.size(), 1U);
   EXPECT_EQ(faults[0].detail, "block-length");
   EXPECT_EQ(lines_of("X1 //" + std::string(5000, 'c')), "N1 X1 M999.002\n");
+}
+
+// OMR-664, 682: M99 and its return are two lines, which a condition and a skip hold together.
+TEST(OmronIntermediate, AReturnStaysWithItsCondition) {
+  EXPECT_EQ(lines_of("if(Q0==1){M99}\nX5\n"), "if(Q0 == 1)\n{\nN1 M99 M999.002\nreturn\n}\nN2 X5 M999.002\n");
+  EXPECT_EQ(lines_of("if(1==1) M99\nelse X1\n"),
+            "if(1 == 1)\n{\nN1 M99 M999.002\nreturn\n}\nelse\nN2 X1 M999.002\n");
+  EXPECT_EQ(lines_of("/1 M99\nX2\n"), "cskip1 N1 M99 M999.002\ncskip1 return\nN2 X2 M999.002\n");
+}
+
+// OMR-676: whichever way the number of the cycle is written.
+TEST(OmronIntermediate, ACycleMayHaveAPointBehindItsNumber) {
+  EXPECT_EQ(lines_of("G84. X1 Z-1 R0\nX2\nG80\n"),
+            "N1 G80.001 G84. X1 Z-1 R0 M999.002\nN2 G84 X2 M999.002\nN3 G80 M999.002\n");
+}
+
+// Nothing behind the end is part of the program; a byte order mark in front is not either.
+TEST(OmronIntermediate, TheProgramEndsWithItsEnd) {
+  EXPECT_EQ(lines_of("\xEF\xBB\xBFX1\nM30\nX[\n"), "N1 X1 M999.002\nN2 M30 M999.002\n");
 }
 
 }  // namespace

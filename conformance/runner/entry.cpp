@@ -36,7 +36,7 @@ constexpr std::array kEvents{
     Form{"cw", "", 0, 0, kMoveNumbers, "plane"},
     Form{"ccw", "", 0, 0, kMoveNumbers, "plane"},
     Form{"dwell", "", 0, 0, "s line n program", ""},
-    Form{"spindle", "cw|ccw|off|orient", 1, 1, "rpm angle line n program", ""},
+    Form{"spindle", "cw|ccw|off|orient", 1, 1, "rpm angle line n program A B C D E F G H", "timing"},
     Form{"tool", "#", 1, 1, "line n program", ""},
     Form{"m", "#|-#", 1, 1, "line n program A B C D E F G H", "timing"},
     Form{"stop", "optional", 0, 1, "line n program", ""},

@@ -74,13 +74,16 @@ struct Describe {
   bool operator()(const Auxiliary& auxiliary) const {
     event.name = "m";
     event.words.push_back(std::to_string(auxiliary.code));
-    for (std::size_t i = 0; i < Auxiliary::kArguments; ++i) {
-      if ((auxiliary.given >> i & 1U) == 0) continue;
-      event.fields.push_back({std::string(1, static_cast<char>('A' + i)), auxiliary.arguments[i]});
+    add_terms(auxiliary.timing, auxiliary.arguments);
+    return true;
+  }
+  void add_terms(OutputTiming timing, const CodeArguments& arguments) const {
+    for (std::size_t i = 0; i < CodeArguments::kMost; ++i) {
+      if ((arguments.given >> i & 1U) == 0) continue;
+      event.fields.push_back({std::string(1, static_cast<char>('A' + i)), arguments.values[i]});
     }
     constexpr std::array kTimings{"synchronous", "immediate", "with-next-move"};
-    event.fields.push_back({"timing", std::string(kTimings[static_cast<std::size_t>(auxiliary.timing)])});
-    return true;
+    event.fields.push_back({"timing", std::string(kTimings[static_cast<std::size_t>(timing)])});
   }
   bool operator()(const Spindle& spindle) const {
     event.name = "spindle";
@@ -100,6 +103,7 @@ struct Describe {
     }
     if (spindle.direction != SpindleDirection::off) event.fields.push_back({"rpm", spindle.rpm});
     if (spindle.direction == SpindleDirection::orient) event.fields.push_back({"angle", spindle.angle});
+    add_terms(spindle.timing, spindle.arguments);
     return true;
   }
   bool operator()(const ToolChange& change) const {

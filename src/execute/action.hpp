@@ -166,13 +166,18 @@ enum class OutputTiming : std::uint8_t {
   with_next_move,  ///< when the next move begins; the program does not wait
 };
 
-/// An M code that is handed to the machine as it is. With arguments its timing is synchronous.
+/// The numbers that an M code hands over. With any of them its timing is synchronous.
+struct CodeArguments {
+  static constexpr std::size_t kMost = 8;
+  std::uint8_t given = 0;              ///< bit i: `values[i]` was written
+  std::array<double, kMost> values{};  ///< in the order of the alphabet: A to H
+};
+
+/// An M code that is handed to the machine as it is.
 struct Auxiliary {
-  static constexpr std::size_t kArguments = 8;
   std::int32_t code = 0;
   OutputTiming timing = OutputTiming::synchronous;
-  std::uint8_t given = 0;                      ///< bit i: `arguments[i]` was written
-  std::array<double, kArguments> arguments{};  ///< in the order of the alphabet: A to H
+  CodeArguments arguments{};
 };
 
 enum class SpindleDirection : std::uint8_t { off, clockwise, counterclockwise, orient };
@@ -182,6 +187,8 @@ struct Spindle {
   double rpm = 0.0;      ///< effective speed after limits and override; 0 when off
   double seconds = 0.0;  ///< time the program waits for the speed
   double angle = 0.0;    ///< of orient: where the spindle stops, degrees
+  OutputTiming timing = OutputTiming::synchronous;
+  CodeArguments arguments{};
 };
 
 struct ToolChange {

@@ -11,9 +11,18 @@ namespace {
 
 constexpr double kRadians = std::numbers::pi / 180.0;
 
+/// The zeros have the signs that IEEE 754 gives sinPi and cosPi, and so have the infinities of the tangent.
+double sine_deg(double degrees) {
+  const double sine = turn_by(degrees).sine;
+  return sine == 0.0 ? std::copysign(0.0, degrees) : sine;
+}
+
+double cosine_deg(double degrees) {
+  return turn_by(degrees).cosine + 0.0;
+}
+
 double tangent_deg(double degrees) {
-  const Turn direction = turn_by(degrees);
-  return direction.sine / direction.cosine;
+  return sine_deg(degrees) / cosine_deg(degrees);
 }
 
 /// The whole root of degree 5, of negative numbers too.
@@ -54,7 +63,7 @@ constexpr std::array kUnary{
     Unary{"cbrt", [](double x) { return std::cbrt(x); }},
     Unary{"ceil", [](double x) { return std::ceil(x); }},
     Unary{"cos", [](double x) { return std::cos(x); }},
-    Unary{"cosd", [](double x) { return turn_by(x).cosine; }},
+    Unary{"cosd", cosine_deg},
     Unary{"cosh", [](double x) { return std::cosh(x); }},
     Unary{"exp", [](double x) { return std::exp(x); }},
     Unary{"exp2", [](double x) { return std::exp2(x); }},
@@ -69,7 +78,7 @@ constexpr std::array kUnary{
     Unary{"rint", [](double x) { return std::nearbyint(x); }},
     Unary{"sgn", sign_of},
     Unary{"sin", [](double x) { return std::sin(x); }},
-    Unary{"sind", [](double x) { return turn_by(x).sine; }},
+    Unary{"sind", sine_deg},
     Unary{"sinh", [](double x) { return std::sinh(x); }},
     Unary{"sqrt", [](double x) { return std::sqrt(x); }},
     Unary{"tan", [](double x) { return std::tan(x); }},

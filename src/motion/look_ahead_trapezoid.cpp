@@ -50,7 +50,10 @@ struct Pause {
 
 Pause pause_of(const ActionVariant& what) {
   if (const auto* dwell = std::get_if<Dwell>(&what)) return {BlockKind::dwell, dwell->seconds, true};
-  if (const auto* spindle = std::get_if<Spindle>(&what)) return {BlockKind::spindle, spindle->seconds, true};
+  if (const auto* spindle = std::get_if<Spindle>(&what)) {
+    const bool waits = spindle->seconds > 0.0 || spindle->timing == OutputTiming::synchronous;
+    return {BlockKind::spindle, spindle->seconds, waits};
+  }
   if (const auto* tool = std::get_if<ToolChange>(&what)) return {BlockKind::tool_change, tool->seconds, true};
   if (const auto* alarm = std::get_if<Alarm>(&what)) {
     return {BlockKind::other, 0.0, stops_program(*alarm)};

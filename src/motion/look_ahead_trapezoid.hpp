@@ -18,8 +18,9 @@ using BlockObserver = FunctionRef<void(const BlockTiming&)>;
 
 /// Rules of time and rest, all exact to rounding and not rounded to cycles:
 /// - lines and arcs at feed run into each other (junction.hpp); rapid moves start and end at rest;
-/// - a dwell, spindle, tool, stop or end action waits for rest, then takes its own time; so does an auxiliary
-///   one of synchronous timing;
+/// - a dwell, tool, stop or end action waits for rest, then takes its own time; so does a spindle or
+/// auxiliary
+///   one of synchronous timing, and a spindle that needs time;
 /// - moves of no length and warnings take no time and do not stop the motion.
 ///
 /// Allocates in the constructor only. push(), finish() and the overrides plan: at most two passes over the

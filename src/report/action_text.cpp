@@ -8,6 +8,15 @@
 namespace kerf {
 namespace {
 
+std::string arguments_text(const CodeArguments& arguments) {
+  std::string text;
+  for (std::size_t i = 0; i < CodeArguments::kMost; ++i) {
+    if ((arguments.given >> i & 1U) == 0) continue;
+    text += fmt::format(" {}{}", static_cast<char>('A' + i), rounded_text(arguments.values[i], 4));
+  }
+  return text;
+}
+
 struct Describer {
   std::string operator()(const Move& move) const {
     switch (move.mode) {
@@ -27,23 +36,19 @@ struct Describer {
     return "dwell " + rounded_text(dwell.seconds, 3) + " s";
   }
   std::string operator()(const Auxiliary& auxiliary) const {
-    std::string text = fmt::format("M{}", auxiliary.code);
-    for (std::size_t i = 0; i < Auxiliary::kArguments; ++i) {
-      if ((auxiliary.given >> i & 1U) == 0) continue;
-      text += fmt::format(" {}{}", static_cast<char>('A' + i), rounded_text(auxiliary.arguments[i], 4));
-    }
-    return text;
+    return fmt::format("M{}", auxiliary.code) + arguments_text(auxiliary.arguments);
   }
   std::string operator()(const Spindle& spindle) const {
     switch (spindle.direction) {
       case SpindleDirection::off:
-        return "spindle off";
+        return "spindle off" + arguments_text(spindle.arguments);
       case SpindleDirection::orient:
-        return "spindle orient " + rounded_text(spindle.angle, 3) + " deg";
+        return "spindle orient " + rounded_text(spindle.angle, 3) + " deg" +
+               arguments_text(spindle.arguments);
       case SpindleDirection::clockwise:
-        return "spindle cw " + rounded_text(spindle.rpm, 3) + " rpm";
+        return "spindle cw " + rounded_text(spindle.rpm, 3) + " rpm" + arguments_text(spindle.arguments);
       case SpindleDirection::counterclockwise:
-        return "spindle ccw " + rounded_text(spindle.rpm, 3) + " rpm";
+        return "spindle ccw " + rounded_text(spindle.rpm, 3) + " rpm" + arguments_text(spindle.arguments);
     }
     return {};
   }

@@ -85,27 +85,34 @@ void write_event(const Origin& origin, const Dwell& dwell, std::string& out) {
   close_with_line(origin, out);
 }
 
-void append_arguments(const Auxiliary& auxiliary, std::string& out) {
-  if (auxiliary.given == 0) return;
+void append_arguments(const CodeArguments& arguments, std::string& out) {
+  if (arguments.given == 0) return;
   char separator = '{';
   out += ",\"args\":";
-  for (std::size_t i = 0; i < Auxiliary::kArguments; ++i) {
-    if ((auxiliary.given >> i & 1U) == 0) continue;
+  for (std::size_t i = 0; i < CodeArguments::kMost; ++i) {
+    if ((arguments.given >> i & 1U) == 0) continue;
     out += separator;
     out += '"';
     out += static_cast<char>('A' + i);
     out += "\":";
-    append_number(out, auxiliary.arguments[i]);
+    append_number(out, arguments.values[i]);
     separator = ',';
   }
   out += '}';
+}
+
+/// Of most M codes there is nothing to say.
+void append_timing(OutputTiming timing, std::string& out) {
+  if (timing == OutputTiming::immediate) out += ",\"timing\":\"immediate\"";
+  if (timing == OutputTiming::with_next_move) out += ",\"timing\":\"with-next-move\"";
 }
 
 void write_event(const Origin& origin, const Auxiliary& auxiliary, std::string& out) {
   out += "{\"event\":\"m\",\"codes\":[";
   append_integer(out, auxiliary.code);
   out += ']';
-  append_arguments(auxiliary, out);
+  append_arguments(auxiliary.arguments, out);
+  append_timing(auxiliary.timing, out);
   close_with_line(origin, out);
 }
 
@@ -118,6 +125,8 @@ void write_event(const Origin& origin, const Spindle& spindle, std::string& out)
     out += ",\"angle\":";
     append_number(out, spindle.angle);
   }
+  append_arguments(spindle.arguments, out);
+  append_timing(spindle.timing, out);
   close_with_line(origin, out);
 }
 

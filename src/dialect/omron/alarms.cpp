@@ -62,9 +62,8 @@ constexpr std::array kCatalogue{
               "Delete the word, or write the code it is meant for."},
     AlarmKind{kCode, "no-axis", "No such axis", "The machine file has no axis of this name.",
               "Delete the word, or add an [axes] table for the axis to the machine file."},
-    AlarmKind{
-        kCode, "value-range", "Value out of range", "The value of the word is outside of its range.",
-        "`kerf codes --dialect omron` and the manual's table of instruction parameters give the ranges."},
+    AlarmKind{kCode, "value-range", "Value out of range", "The value of the word is outside of its range.",
+              "Write a value within the range that the message gives."},
     AlarmKind{kCode, "not-a-number", "Word without a value",
               "The variable behind the word holds no number, or an infinite one.",
               "Look for a division by zero, or a function outside of its domain, in front of this block."},

@@ -22,7 +22,7 @@ BlockRun::BlockRun(const Rules& rules, const Block& block, State& state, ActionQ
 bool BlockRun::run() {
   if (is_skipped()) return true;
   if (!collect()) return false;
-  const bool done = cycle_allowed() && early_m_code() && modal() && ramps() && feed() && spindle_speed() &&
+  const bool done = cycle_allowed() && modal() && ramps() && feed() && spindle_speed() && early_m_code() &&
                     operation() && m_code() && every_word_used();
   // In continuous-path mode a block without a movement is a stop, unless blocks are planned together.
   const bool together = registers.modal[Group::multi_block] == code(500);
@@ -154,7 +154,7 @@ bool BlockRun::value(const Word& word, double least, double greatest, double& va
   use(word.address);
   if (!(word.computed >= least && word.computed <= greatest))
     return refuse("value-range", span(word),
-                  FixedText<200>::format("{} may be from {:g} to {:g}; here it is {:g}.",
+                  FixedText<200>::format("{} may be from {:.12g} to {:.12g}; here it is {:.12g}.",
                                          spelling(word.address), least, greatest, word.computed));
   value = word.computed;
   return true;

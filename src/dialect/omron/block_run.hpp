@@ -44,9 +44,10 @@ class BlockRun {
   bool early_m_code();
   bool m_code();
   OutputTiming m_timing() const;
-  void m_arguments(Auxiliary& auxiliary);
-  bool auxiliary();
-  void turn_spindle(SpindleDirection direction);
+  CodeArguments m_arguments();
+  bool output();
+  void turn_spindle(SpindleDirection direction, OutputTiming timing = OutputTiming::synchronous,
+                    const CodeArguments& arguments = {});
   bool call_program();
   void go_back();
   // modal_step.cpp

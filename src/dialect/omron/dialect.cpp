@@ -1,5 +1,6 @@
 #include "dialect/omron/dialect.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "dialect/omron/alarms.hpp"
@@ -56,6 +57,21 @@ void check_skip_inputs(const Settings& settings, std::vector<SettingsError>& err
   }
 }
 
+/// An M code has one timing.
+void check_timings(const Settings& settings, std::vector<SettingsError>& errors) {
+  constexpr std::string_view kOther = "omron.not_waiting_m_codes";
+  const auto first = numbers_in(settings.text("omron.immediate_m_codes"), 0, kMCodes - 1);
+  const auto second = numbers_in(settings.text(kOther), 0, kMCodes - 1);
+  if (!first || !second) return;
+  for (const int code : *first) {
+    if (std::find(second->begin(), second->end(), code) == second->end()) continue;
+    errors.push_back(error_at(*settings.find(kOther),
+                              fmt::format("M{} stands in 'omron.immediate_m_codes' too", code),
+                              "keep it in one of the two lists"));
+    return;
+  }
+}
+
 std::vector<SettingsError> contradictions(const Settings& settings) {
   std::vector<SettingsError> errors;
   const auto check = [&](std::string_view key, int least, int greatest) {
@@ -68,6 +84,7 @@ std::vector<SettingsError> contradictions(const Settings& settings) {
   check("omron.immediate_m_codes", 0, kMCodes - 1);
   check("omron.not_waiting_m_codes", 0, kMCodes - 1);
   check_skip_inputs(settings, errors);
+  check_timings(settings, errors);
   return errors;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <utility>
 
 namespace kerf::omron {
@@ -11,11 +12,12 @@ constexpr std::string_view kEndOfBlock = "M999.002";
 constexpr std::string_view kCycleStarts = "G80.001";
 constexpr std::int32_t kFirstSubprogram = 1000;
 
+/// The number of a code, however it is written: 84, 084, 84.0; -1 for one with a fraction.
 int code_of(std::string_view value) {
-  int code = -1;
-  const char* last = value.data() + value.size();
-  const auto [end, error] = std::from_chars(value.data(), last, code);
-  return error == std::errc() && end == last ? code : -1;
+  constexpr double kHighest = 1000.0;
+  double code = -1.0;
+  std::from_chars(value.data(), value.data() + value.size(), code);
+  return code >= 0.0 && code < kHighest && code == std::trunc(code) ? static_cast<int>(code) : -1;
 }
 
 }  // namespace
@@ -23,6 +25,7 @@ int code_of(std::string_view value) {
 void IntermediateCode::begin_block(std::uint32_t line, int skip) {
   words_.clear();
   head_ = skip > 0 ? "cskip" + std::to_string(skip) + " " : std::string();
+  skip_ = head_;
   head_ += "N" + std::to_string(line);
   length_ = head_.size();
   cycle_starts_ = names_cycle_ = positions_ = returns_ = false;
@@ -55,7 +58,7 @@ void IntermediateCode::note_cycle(std::string_view address, std::string_view val
   if (letter != 'G') return;
   const int code = code_of(value);
   if (code == 74 || code == 84) {
-    std::string started = "G" + std::string(value);
+    std::string started = "G" + std::to_string(code);
     cycle_starts_ = cycle_ != started;
     cycle_ = std::move(started);
     names_cycle_ = true;
@@ -82,7 +85,7 @@ bool IntermediateCode::end_block() {
   line += ' ';
   line += kEndOfBlock;
   const bool fits = add_line(std::move(line));
-  if (returns_) add_line("return");
+  if (returns_) add_line(skip_ + "return");
   return fits;
 }
 

@@ -50,6 +50,7 @@ class IntermediateCode {
   const bool keeps_text_;
   std::vector<std::string> lines_;
   std::vector<std::string> words_;  ///< of the block begun
+  std::string skip_;                ///< what leaves the block out, or nothing
   std::string head_;
   std::size_t length_ = 0;  ///< of the block begun
   std::string cycle_;       ///< G74 or G84 while one is in force

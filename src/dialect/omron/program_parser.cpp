@@ -21,7 +21,9 @@ void ProgramParser::run(std::vector<ParseFault>& faults) {
     if (scanner_.at_text_end() || faults.size() >= kMostFaults) return;
     if (plain_lines()) continue;
     Command kind = Command::none;
+    ends_program_ = false;
     if (!command(kind)) note_fault();
+    if (ends_program_ && kind == Command::block) return;
   }
 }
 
@@ -93,12 +95,7 @@ bool ProgramParser::command(Command& kind) {
 
 bool ProgramParser::program_code(bool& found) {
   found = true;
-  if (scanner_.peek() == '{') {
-    scanner_.skip();
-    std::size_t count = 0;
-    Command last = Command::none;
-    return commands_to_brace(count, last);
-  }
+  if (scanner_.peek() == '{') return braces();
   if (scanner_.peek() == '}') {
     scanner_.skip();
     return scanner_.fail("syntax", "This brace closes nothing.", block_);
@@ -121,6 +118,17 @@ bool ProgramParser::program_code(bool& found) {
   return true;
 }
 
+bool ProgramParser::braces() {
+  if (depth_ >= kDeepest) return fail("nesting", "The braces are nested too deeply.");
+  ++depth_;
+  scanner_.skip();
+  std::size_t count = 0;
+  Command last = Command::none;
+  const bool read = commands_to_brace(count, last);
+  --depth_;
+  return read;
+}
+
 bool ProgramParser::skip_number(int& skip) {
   constexpr int kMostSkips = 31;
   scanner_.skip();
@@ -140,6 +148,19 @@ bool ProgramParser::block_number() {
   return true;
 }
 
+/// A block number may also stand in front of what belongs to a statement that began before.
+void ProgramParser::pass_number_before(std::initializer_list<std::string_view> texts) {
+  if (scanner_.peek() != 'N') return;
+  Scanner ahead = scanner_;
+  ahead.skip();
+  if (!is_digit(ahead.at())) return;
+  while (is_digit(ahead.at())) ahead.skip();
+  const char next = ahead.peek();
+  for (const std::string_view text : texts) {
+    if (ahead.name() == text || (text.size() == 1 && next == text[0])) scanner_ = ahead;
+  }
+}
+
 // ---- control statements
 
 bool ProgramParser::condition(std::string_view keyword, ExpressionRef& ref) {
@@ -156,24 +177,24 @@ bool ProgramParser::body() {
   scanner_.next_line_with_text();
   const std::size_t first = code_.size();
   Command last = Command::none;
-  bool read = false;
-  if (scanner_.take('{')) {
-    std::size_t count = 0;
-    read = commands_to_brace(count, last);
-    if (count != 1 || last != Command::block) code_.enclose(first);
-  } else {
-    read = command(last);
-  }
+  std::size_t count = 1;
+  const bool braces = scanner_.take('{');
+  const bool read = braces ? commands_to_brace(count, last) : command(last);
+  // A block may give two lines of code: M99 and its return.
+  const bool one_line = count == 1 && last == Command::block && code_.size() == first + 1;
+  if (!one_line && (braces || last == Command::block)) code_.enclose(first);
   --depth_;
   return read;
 }
 
 bool ProgramParser::commands_to_brace(std::size_t& count, Command& last) {
   const SourceSpan open = block_;
+  count = 0;
   for (;;) {
     scanner_.next_line_with_text();
     if (scanner_.at_text_end())
       return scanner_.fail("syntax", "The brace that is opened here is never closed.", open);
+    pass_number_before({"}"});
     if (scanner_.take('}')) return true;
     if (faults_->size() >= kMostFaults) return fail("syntax", {});
     if (!plain_lines() && !command(last)) note_fault();
@@ -188,6 +209,7 @@ bool ProgramParser::if_statement() {
   if (!body()) return false;
   const Scanner behind = scanner_;
   scanner_.next_line_with_text();
+  pass_number_before({"else"});
   start_ = scanner_.position();
   if (!scanner_.take_keyword("else")) {
     scanner_ = behind;
@@ -226,6 +248,7 @@ bool ProgramParser::do_statement() {
   bool read = body();
   if (read) {
     scanner_.next_line_with_text();
+    pass_number_before({"while"});
     start_ = scanner_.position();
     first_of_block_ = true;
     ExpressionRef holds;
@@ -264,11 +287,15 @@ bool ProgramParser::switch_statement() {
   if (!add_code("switch(" + expressions_.text() + ")") || !add_code("{")) return false;
   const SourceSpan head = block_;
   scanner_.next_line_with_text();
+  pass_number_before({"{"});
+  if (depth_ >= kDeepest) return fail("nesting", "The control statements are nested too deeply.");
   if (!scanner_.take('{')) return fail("syntax", "The cases of a switch stand in braces.");
   const StatementIndex to_dispatch = add(StatementKind::branch);
   breaks_.emplace_back();
   std::vector<Case> cases;
+  ++depth_;
   const bool read = switch_body(head, cases) && add_code("}");
+  --depth_;
   if (read) {
     block_ = head;
     first_of_block_ = false;
@@ -284,6 +311,7 @@ bool ProgramParser::switch_body(const SourceSpan& head, std::vector<Case>& cases
   for (;;) {
     scanner_.next_line_with_text();
     if (scanner_.at_text_end()) return scanner_.fail("syntax", "This switch is never closed.", head);
+    pass_number_before({"}", "case", "default"});
     if (scanner_.take('}')) return true;
     if (faults_->size() >= kMostFaults) return fail("syntax", {});
     const bool label = scanner_.name() == "case" || scanner_.name() == "default";

@@ -1,6 +1,7 @@
 #pragma once
 // Reads a program into statements and into intermediate code (manual 1-7, chapter 4, A-1).
 
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,8 +18,9 @@ class ProgramParser {
   ProgramParser(CompiledProgram& program, IntermediateCode& code, std::string_view text)
       : program_(program), code_(code), scanner_(text), expressions_(scanner_, program.steps) {}
 
-  /// Reads all of the text. What is wrong goes into `faults`, kMostFaults of them at most; the statements
-  /// are those of a program to be run only when there are none.
+  /// Reads the text up to an M02 or M30 that stands outside of all braces: what is behind is ignored. What is
+  /// wrong goes into `faults`, kMostFaults of them at most; the statements are those of a program to be run
+  /// only when there are none.
   void run(std::vector<ParseFault>& faults);
 
   static constexpr std::size_t kMostFaults = 50;
@@ -59,6 +61,8 @@ class ProgramParser {
   bool indirect_value(Word& word, IntermediateCode::Word& text);
   bool skip_number(int& skip);
   bool block_number();
+  bool braces();
+  void pass_number_before(std::initializer_list<std::string_view> texts);
   bool condition(std::string_view keyword, ExpressionRef& ref);
   bool address(char& address, std::string_view& text);
   void note_fault();
@@ -80,6 +84,7 @@ class ProgramParser {
   SourceSpan block_;            ///< the block being read, up to the cursor
   bool first_of_block_ = true;  ///< no statement of the block was added yet
   std::size_t few_until_ = 0;   ///< in front of this position few lines of plain words stand together
+  bool ends_program_ = false;   ///< the block read last has M02 or M30 and cannot be skipped
   int depth_ = 0;
   std::vector<Jumps> breaks_;  ///< of the loops and switches around
 };

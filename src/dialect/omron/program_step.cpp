@@ -1,6 +1,8 @@
 // M codes (manual chapter 3): what they tell the machine, and the way through the programs.
 
 #include <algorithm>
+#include <array>
+#include <optional>
 
 #include "dialect/omron/addresses.hpp"
 #include "dialect/omron/block_run.hpp"
@@ -12,22 +14,24 @@ namespace {
 constexpr std::int32_t kFirstSubprogram = 1000;
 constexpr std::int32_t kLastSubprogram = 9999;
 
-/// Codes that steer the program, or the spindle; all others are handed to the machine as they are.
-bool is_auxiliary(std::int32_t number) {
+/// All codes but those that steer the program are put out to the machine, those of the spindle too.
+bool is_put_out(std::int32_t number) {
+  constexpr std::array kSteering{0, 1, 2, 30, 98, 99};
+  return std::find(kSteering.begin(), kSteering.end(), number) == kSteering.end();
+}
+
+std::optional<SpindleDirection> spindle_code(std::int32_t number) {
   switch (number) {
-    case 0:
-    case 1:
-    case 2:
     case 3:
+      return SpindleDirection::clockwise;
     case 4:
+      return SpindleDirection::counterclockwise;
     case 5:
+      return SpindleDirection::off;
     case 19:
-    case 30:
-    case 98:
-    case 99:
-      return false;
+      return SpindleDirection::orient;
     default:
-      return true;
+      return std::nullopt;
   }
 }
 
@@ -36,8 +40,8 @@ bool is_auxiliary(std::int32_t number) {
 /// Output timing 1: when the block is interpreted, in front of its move; timing 2: with the move.
 bool BlockRun::early_m_code() {
   const std::int32_t number = words_.m_code();
-  if (number < 0 || !is_auxiliary(number) || m_timing() == OutputTiming::synchronous) return true;
-  return auxiliary();
+  if (number < 0 || !is_put_out(number) || m_timing() == OutputTiming::synchronous) return true;
+  return output();
 }
 
 /// An M code with arguments waits for the end of the movement and for its reset, whatever its setting is.
@@ -62,18 +66,6 @@ bool BlockRun::m_code() {
     case 30:
       ends_program = true;
       return true;
-    case 3:
-      turn_spindle(SpindleDirection::clockwise);
-      return true;
-    case 4:
-      turn_spindle(SpindleDirection::counterclockwise);
-      return true;
-    case 5:
-      turn_spindle(SpindleDirection::off);
-      return true;
-    case 19:
-      turn_spindle(SpindleDirection::orient);
-      return true;
     case 98:
       return call_program();
     case 99:
@@ -82,31 +74,38 @@ bool BlockRun::m_code() {
     default:
       break;
   }
-  return m_timing() != OutputTiming::synchronous || auxiliary();
+  return m_timing() != OutputTiming::synchronous || output();
 }
 
-bool BlockRun::auxiliary() {
+bool BlockRun::output() {
   Auxiliary auxiliary;
   auxiliary.code = words_.m_code();
   auxiliary.timing = m_timing();
-  m_arguments(auxiliary);
-  if (!taking_over_) queue_.push<Auxiliary>() = auxiliary;
-  if (auxiliary.code == settings_.tool_m_code && (auxiliary.given & 1U) != 0) {
-    registers.tool = static_cast<std::int32_t>(auxiliary.arguments[0]);
+  auxiliary.arguments = m_arguments();
+  if (const auto direction = spindle_code(auxiliary.code)) {
+    turn_spindle(*direction, auxiliary.timing, auxiliary.arguments);
+    return true;
   }
+  if (auxiliary.code == settings_.tool_m_code && (auxiliary.arguments.given & 1U) != 0) {
+    constexpr int kMostTools = 9999;
+    if (!integer(*words_.find(kArguments[0]), 0, kMostTools, registers.tool)) return false;
+  }
+  if (!taking_over_) queue_.push<Auxiliary>() = auxiliary;
   return true;
 }
 
-void BlockRun::m_arguments(Auxiliary& auxiliary) {
+CodeArguments BlockRun::m_arguments() {
+  CodeArguments arguments;
   for (std::size_t i = 0; i < kArguments.size(); ++i) {
     const Word* word = take(kArguments[i]);
     if (word == nullptr) continue;
-    auxiliary.given = static_cast<std::uint8_t>(auxiliary.given | 1U << i);
-    auxiliary.arguments[i] = word->computed;
+    arguments.given = static_cast<std::uint8_t>(arguments.given | 1U << i);
+    arguments.values[i] = word->computed;
   }
+  return arguments;
 }
 
-void BlockRun::turn_spindle(SpindleDirection direction) {
+void BlockRun::turn_spindle(SpindleDirection direction, OutputTiming timing, const CodeArguments& arguments) {
   const bool turns =
       direction == SpindleDirection::clockwise || direction == SpindleDirection::counterclockwise;
   registers.spindle_on = turns;
@@ -114,6 +113,8 @@ void BlockRun::turn_spindle(SpindleDirection direction) {
   if (taking_over_) return;
   Spindle& spindle = queue_.push<Spindle>();
   spindle.direction = direction;
+  spindle.timing = timing;
+  spindle.arguments = arguments;
   if (turns) spindle.rpm = registers.spindle_rpm;
   if (direction != SpindleDirection::orient) return;
   spindle.rpm = settings_.orientation_velocity;

@@ -1,5 +1,6 @@
 // Assignments and blocks of words.
 
+#include <algorithm>
 #include <charconv>
 
 #include "dialect/omron/addresses.hpp"
@@ -9,6 +10,7 @@ namespace kerf::omron {
 namespace {
 
 constexpr LetterSet kLetters("ABCFGIJKLMPRSXYZ");
+constexpr LetterSet kPlainLetters("ABCFGIJKLPRSXYZ");  // a block with M may end the program
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
@@ -86,7 +88,7 @@ bool ProgramParser::plain_lines() {
   int lines = 0;
   bool has_words = false;
   while (place.at < scanner_.text().size() && place.at - scanner_.position() < kLongest &&
-         pass_plain_line(place, scanner_.text(), kLetters, has_words)) {
+         pass_plain_line(place, scanner_.text(), kPlainLetters, has_words)) {
     if (!has_words) continue;
     ++lines;
     behind = place;
@@ -95,7 +97,7 @@ bool ProgramParser::plain_lines() {
   if (lines < kMany) return false;
   first_of_block_ = true;
   block_ = scanner_.span_here(behind.at - scanner_.position());
-  program_.plain_letters = kLetters;
+  program_.plain_letters = kPlainLetters;
   add(StatementKind::lines);
   scanner_.go_to(behind);
   return true;
@@ -115,6 +117,11 @@ bool ProgramParser::words(int skip) {
   statement.first_word = first;
   statement.word_count = static_cast<std::uint32_t>(program_.words.size()) - first;
   statement.skip_number = static_cast<std::uint8_t>(skip);
+  const auto ends = [](const Word& word) {
+    return word.address == 'M' && (word.computed == 2.0 || word.computed == 30.0);
+  };
+  ends_program_ =
+      skip == 0 && std::any_of(program_.words.end() - statement.word_count, program_.words.end(), ends);
   return code_.end_block() || scanner_.fail("block-length", {}, block_);
 }
 

@@ -20,7 +20,8 @@ struct ParseFault {
 /// line ends with a line feed, in front of which a carriage return may stand.
 class Scanner {
  public:
-  explicit Scanner(std::string_view text) : text_(text) {}
+  explicit Scanner(std::string_view text)
+      : text_(text), at_(text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0), line_start_(at_) {}
 
   /// The next character of the line that is no blank; 0 at its end. Leaves the cursor there.
   char peek();
@@ -70,9 +71,11 @@ class Scanner {
   bool at_comment() const { return text_.substr(at_, 2) == "//"; }
   bool ends_line(std::size_t position) const;
 
+  static constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
   std::string_view text_;
-  std::size_t at_ = 0;
-  std::size_t line_start_ = 0;
+  std::size_t at_;
+  std::size_t line_start_;
   std::uint32_t line_ = 1;
   ParseFault fault_;
 };
