@@ -94,7 +94,9 @@ bool BlockRun::spindle_speed() {
 
 bool BlockRun::operation() {
   if (words_.has(Group::one_shot)) return one_shot();
-  if (words_[Group::scaling] == code(51) || words_.has(Group::mirror) || words_[Group::rotation] == code(68))
+  const bool mirrors =
+      words_[Group::mirror] == code(51, 1) || (words_.has(Group::mirror) && !words_.has(Group::motion));
+  if (words_[Group::scaling] == code(51) || mirrors || words_[Group::rotation] == code(68))
     return true;  // its words are those of the code
   if (registers.modal[Group::fixed_cycle] != code(80)) return fixed_cycle();
   return motion();

@@ -51,13 +51,14 @@ class BlockRun {
   bool call_program();
   void go_back();
   // modal_step.cpp
+  bool compensation_allows_modal();
   bool modal();
   bool transformations();
   bool scaling();
   bool magnifications(AxisTransformation& change);
   bool mirroring();
   bool rotation();
-  bool center_words(AxisVector& center, AxisSet* named);
+  bool center_words(Change change, AxisVector& center, AxisSet* named);
   bool work_system();
   bool plane();
   bool length_offset();

@@ -34,15 +34,19 @@ AxisVector transformed(const Placement& placement, AxisVector programmed) {
   return rotated(placement.rotation, programmed, false);
 }
 
+AxisVector in_front_of(Change change, const Placement& placement, AxisVector real) {
+  const AxisTransformation& own = placement.transformation;
+  if (change == Change::rotation) return real;
+  real = rotated(placement.rotation, real, true);
+  if (change == Change::scaling || !own.scaled) return real;
+  for (const Axis axis : {Axis::X, Axis::Y, Axis::Z})
+    real[axis] = own.center[axis] + (real[axis] - own.center[axis]) / own.magnification[axis];
+  return real;
+}
+
 AxisVector untransformed(const Placement& placement, AxisVector real) {
   const AxisTransformation& change = placement.transformation;
-  real = rotated(placement.rotation, real, true);
-  if (change.scaled) {
-    for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) {
-      const double center = change.center[axis];
-      real[axis] = center + (real[axis] - center) / change.magnification[axis];
-    }
-  }
+  real = in_front_of(Change::mirroring, placement, real);
   for (const Axis axis : change.mirrored) real[axis] = 2.0 * change.mirrors[axis] - real[axis];
   return real;
 }

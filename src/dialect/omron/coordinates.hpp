@@ -16,6 +16,12 @@ AxisVector transformed(const Placement& placement, AxisVector programmed);
 /// The programmed position of a real one.
 AxisVector untransformed(const Placement& placement, AxisVector real);
 
+/// The three, in the order in which they act.
+enum class Change : std::uint8_t { mirroring, scaling, rotation };
+
+/// A real position as it is in front of one of them.
+AxisVector in_front_of(Change change, const Placement& placement, AxisVector real);
+
 /// What an arc of a plane becomes.
 struct ArcChange {
   bool is_round = true;  ///< false: an ellipse, which no arc is

@@ -4,10 +4,25 @@
 #include <cmath>
 
 #include "dialect/omron/block_run.hpp"
+#include "execute/grid.hpp"
 
 namespace kerf::omron {
 
+/// Under radius compensation the coordinates of its moves may not shift (manual G40 to G42, restrictions).
+bool BlockRun::compensation_allows_modal() {
+  if (!is_compensating()) return true;
+  for (const Group group :
+       {Group::work_system, Group::scaling, Group::mirror, Group::rotation, Group::unit}) {
+    const bool changes = words_.has(group) && words_[group] != registers.modal[group];
+    if (changes || (group == Group::work_system && words_.has(group)))
+      return refuse("compensation-word", span(words_.word(group)));
+  }
+  return words_[Group::one_shot] != code(52) ||
+         refuse("compensation-word", span(words_.word(Group::one_shot)));
+}
+
 bool BlockRun::modal() {
+  if (!compensation_allows_modal()) return false;
   if (words_.has(Group::unit)) registers.modal.set(Group::unit, words_[Group::unit]);
   if (!plane()) return false;
   for (const Group group :
@@ -35,7 +50,8 @@ bool BlockRun::plane() {
   const CodeNumber wanted = words_[Group::plane];
   if (is_compensating() && wanted != registers.modal[Group::plane])
     return refuse("compensation-word", span(words_.word(Group::plane)));
-  if (registers.placement.rotation.active && wanted != registers.modal[Group::plane])
+  const bool rotated = registers.placement.rotation.active && words_[Group::rotation] != code(69);
+  if (rotated && wanted != registers.modal[Group::plane])
     return refuse("rotation-plane", span(words_.word(Group::plane)));
   registers.modal.set(Group::plane, wanted);
   // From version 1.02 on the axis of the tool offset would change with the plane.
@@ -67,6 +83,10 @@ bool BlockRun::transformations() {
   want(Group::scaling, code(51));
   want(Group::mirror, code(51, 1));
   want(Group::rotation, code(68));
+  // A move in the same block would want the words too.
+  const bool local = words_[Group::one_shot] == code(52);
+  if (words_.has(Group::motion) && !words_.axes().empty() && (last != nullptr || local))
+    return refuse("conflicting-codes", span(words_.word(Group::motion)));
   if (wanting > 1 && last != nullptr) return refuse("conflicting-codes", span(*last));
   if (!words_.has(Group::scaling) && !words_.has(Group::mirror) && !words_.has(Group::rotation)) return true;
   if (!scaling() || !mirroring() || !rotation()) return false;
@@ -75,11 +95,13 @@ bool BlockRun::transformations() {
   return true;
 }
 
-/// The words X, Y and Z as absolute positions in the current coordinate system; those left out stay where the
-/// axis stands.
-bool BlockRun::center_words(AxisVector& center, AxisSet* named) {
+/// The words X, Y and Z as absolute positions in the current coordinate system; of those left out it is where
+/// the tool stands, so that a move to the same place is none.
+bool BlockRun::center_words(Change change, AxisVector& center, AxisSet* named) {
   const AxisVector origin = workpiece_origin(registers, tables_);
-  center = registers.position;
+  const Placement& placement = registers.placement;
+  center = in_front_of(change, placement, placement.machine - placement.length_taken);
+  for (double& value : center.values) value = on_grid(value);
   for (const Axis axis : {Axis::X, Axis::Y, Axis::Z}) {
     if (take(letter(axis)) == nullptr) continue;
     double value = 0.0;
@@ -95,7 +117,7 @@ bool BlockRun::scaling() {
   AxisTransformation& change = registers.placement.transformation;
   registers.modal.set(Group::scaling, words_[Group::scaling]);
   change.scaled = words_[Group::scaling] == code(51);
-  return !change.scaled || (center_words(change.center, nullptr) && magnifications(change));
+  return !change.scaled || (center_words(Change::scaling, change.center, nullptr) && magnifications(change));
 }
 
 bool BlockRun::magnifications(AxisTransformation& change) {
@@ -111,7 +133,9 @@ bool BlockRun::magnifications(AxisTransformation& change) {
     double factor = 1.0;
     if (own != nullptr) {
       if (!value(*own, -kGreatest, kGreatest, factor)) return false;
-      if (std::abs(factor) < kLeast) return refuse("value-range", span(*own));
+      if (std::abs(factor) < kLeast)
+        return refuse("value-range", span(*own),
+                      "A magnification of an axis is 0.00001 or more, or negative.");
     }
     change.magnification[axis] = all != nullptr ? common : factor;
   }
@@ -123,8 +147,10 @@ bool BlockRun::mirroring() {
   AxisTransformation& change = registers.placement.transformation;
   AxisVector mirrors;
   AxisSet named;
-  if (!center_words(mirrors, &named)) return false;
   const bool on = words_[Group::mirror] == code(51, 1);
+  // In front of G00 to G03 the words are those of the move.
+  const bool has_words = on || !words_.has(Group::motion);
+  if (has_words && !center_words(Change::mirroring, mirrors, &named)) return false;
   if (!on) {
     // G50.1 alone ends the mirroring of all axes, with words that of the axes named.
     for (const Axis axis : named) change.mirrored.erase(axis);
@@ -145,7 +171,7 @@ bool BlockRun::rotation() {
   if (!rotation.active) return true;
   constexpr double kWholeTurn = 360.0;
   AxisVector center;
-  if (!center_words(center, nullptr)) return false;
+  if (!center_words(Change::rotation, center, nullptr)) return false;
   const Word* angle = take('R');
   if (angle == nullptr) return refuse("rotation-angle", span(words_.word(Group::rotation)));
   if (!value(*angle, -kWholeTurn, kWholeTurn, rotation.angle_deg)) return false;
@@ -180,8 +206,9 @@ bool BlockRun::parameter_set() {
   if (!words_.has(Group::multi_block)) return true;
   const CodeNumber before = registers.modal[Group::multi_block];
   registers.modal.set(Group::multi_block, words_[Group::multi_block]);
-  const bool takes_set = settings_.version_1_02 && words_.m_code() != 98;
-  const Word* set = takes_set ? take('P') : nullptr;
+  const Word* set = words_.m_code() == 98 ? nullptr : take('P');
+  if (set != nullptr && !settings_.version_1_02)
+    return refuse("unused-word", span(*set), "CNC version 1.01 has no parameter sets to select.");
   if (set != nullptr) select_set(*set);
   if (set != nullptr || words_[Group::multi_block] != before) registers.placement.rest_wanted = true;
   return true;

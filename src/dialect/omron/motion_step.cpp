@@ -199,6 +199,8 @@ bool BlockRun::arc_by_radius(Vec2 start, Vec2 end, bool clockwise, Arc& out, boo
 /// The centre counts from the start; where the radii differ the arc is a spiral.
 bool BlockRun::arc_by_center(const Plane& plane, Vec2 start, Vec2 end, bool clockwise, Arc& out) {
   Vec2 center = start;
+  if (const Word* stray = words_.find(center_address(plane.third)))
+    return refuse("arc-words", span(*stray), "This word gives no centre in the plane in force.");
   const std::array<Axis, 2> axes{plane.first, plane.second};
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const Word* word = take(center_address(axes[i]));

@@ -8,7 +8,7 @@
 
 namespace kerf::omron {
 
-/// Where the motors of a skip move were caught, machine coordinates.
+/// Where the motors of a skip move were caught, machine coordinates in the unit of the block.
 struct Captured {
   AxisSet axes;
   AxisVector positions;

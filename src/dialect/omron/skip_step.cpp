@@ -34,6 +34,9 @@ bool BlockRun::skip_move() {
   if (taking_over_) return true;
   const SkipStop stop = skip_stop(start, end, rules_.machine(), kSkipRates, settings_.skip_inputs);
   captured = Captured{words_.axes(), stop.captured};
+  for (const Axis axis : words_.axes()) {
+    if (rules_.machine()[axis].type == AxisType::linear) captured->positions[axis] /= unit_mm_;
+  }
   if (moves) go_to(stop);
   return true;
 }
