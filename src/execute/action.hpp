@@ -139,6 +139,7 @@ struct Move {
                                ///< compensations: the workpiece coordinate system, or the machine's for G53
   bool normal_starts = false;  ///< with normal_line: the control starts here, even where it ended just before
   bool rounds_corner = false;  ///< an arc that was put into a corner
+  bool feed_in_space = false;  ///< of an arc: the feed is that along X, Y and Z, not that in its plane
   double inner_corner_deg = 0.0;  ///< of a compensated move: angle of the inner corner at its end, on the
                                   ///< tool's side; 0: there is none between cutting moves
   double spindle_turns = 0.0;     ///< that a spindle turning with the axes makes along it, clockwise positive

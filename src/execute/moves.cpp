@@ -15,6 +15,7 @@ Move& push_pathless(MoveMode mode, double feed, ActionQueue& queue) {
   move.normal_line = Side::none;
   move.normal_starts = false;
   move.rounds_corner = false;
+  move.feed_in_space = false;
   move.inner_corner_deg = 0.0;
   move.normal_zero = 0.0;
   move.spindle_turns = 0.0;

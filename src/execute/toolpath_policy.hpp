@@ -42,7 +42,6 @@ struct RadiusCompensationPolicy {
   bool small_arcs_turn_over = false;  ///< an arc smaller than the tool is run on the far side of its centre
   bool drops_whole_turns = false;     ///< of an arc that the compensation makes longer than 360 degrees
   bool rounds_acute = false;          ///< see CornerRules
-  bool feed_in_space = false;         ///< of a helix the feed is that along its path, its rise included
   bool feed_at_edge =
       false;  ///< the feed along arcs is that of the programmed path, not of the tool's centre
   bool stops_before_fault = false;  ///< the block that ends at an impossible corner is not made

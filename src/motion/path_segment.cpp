@@ -174,7 +174,8 @@ bool set_arc(PathSegment& segment, const Move& move, const AxisLimits& limits, d
   arc.is_spiral = is_spiral(r0, r1);
   arc.growth = (r1 - r0) / whole;
   arc.share = arc_length * inverse;
-  set_feed(segment, move, feed_length(move, step, arc_length, segment.length));
+  const double measured = move.feed_in_space ? segment.length_mm : arc_length;
+  set_feed(segment, move, feed_length(move, step, measured, segment.length));
   if (arc.is_spiral) {
     set_spiral_limits(segment, limits, feed_now, std::min(r0, r1));
     return true;

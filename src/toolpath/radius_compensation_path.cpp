@@ -290,11 +290,11 @@ PlanarSegment RadiusCompensationPass::way_of(const OffsetSegment& segment, Vec2 
 double RadiusCompensationPass::feed_change(const OffsetSegment& segment, const Move& like) const {
   const double inner = segment.programmed.radius;
   const double outer = segment.offset.radius;
-  if (policy_.feed_at_edge) return outer / inner;
+  if (!policy_.feed_at_edge) return 1.0;
   const double sweep = radians(std::abs(segment.programmed.sweep_deg));
   const double rise = like.end[plane_.third] - like.start[plane_.third];
-  if (!policy_.feed_in_space || rise == 0.0 || sweep <= 0.0) return 1.0;
-  return (outer / std::hypot(outer, rise / sweep)) / (inner / std::hypot(inner, rise / sweep));
+  const double rises = like.feed_in_space && sweep > 0.0 ? rise / sweep : 0.0;
+  return std::hypot(outer, rises) / std::hypot(inner, rises);
 }
 
 void RadiusCompensationPass::add_segment(const Action& action, const OffsetSegment& segment, Vec2 end) {

@@ -96,7 +96,6 @@ ToolpathPolicy toolpath_policy(const Settings& settings) {
   policy.compensation.small_angle_deg = 0.0;
   policy.compensation.blocks_without_motion = policy.compensation.interference_blocks = kFarAhead;
   policy.compensation.rounds_acute = true;
-  policy.compensation.feed_in_space = true;
   policy.compensation.feed_at_edge = settings.text("omron.compensated_feed") == "edge";
   policy.compensation.stops_before_fault = true;
   policy.compensation.interference = prevents ? InterferenceCheck::avoid : InterferenceCheck::alarm;

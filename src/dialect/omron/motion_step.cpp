@@ -97,6 +97,7 @@ bool BlockRun::push(MoveMode mode, const AxisVector& end, const AxisVector& comm
   move.arc = arc;
   move.each_axis = rapid;
   move.rates = registers.rates;
+  move.feed_in_space = true;
   // The manual's text has G09 stop at the end of its block, its example also in front of it (OMR-184).
   const bool rest_wanted = std::exchange(placement.rest_wanted, false);
   move.from_rest = rest_wanted || (words_.has_exact_stop() && words_.exact_stop_leads());
@@ -117,28 +118,25 @@ bool BlockRun::push(MoveMode mode, const AxisVector& end, const AxisVector& comm
 }
 
 /// The feed with which the move takes as long as F along X, Y and Z asks for, or as the rotary axes need at
-/// their own velocity, if that is longer. It counts along X, Y and Z in straight moves, in the plane of an
-/// arc, and along all axes when only rotary ones move.
+/// their own velocity, if that is longer. It counts along X, Y and Z, and along all axes when only rotary
+/// ones move.
 double BlockRun::effective_feed(const Move& move) const {
   const AxisVector way = move.end - move.start;
   double turn = 0.0;
   for (const Axis axis : rules_.machine().axes) {
     if (rules_.machine()[axis].type == AxisType::rotary) turn = std::max(turn, std::abs(way[axis]));
   }
-  double straight = length_of(way, kSpace);
-  double counted = straight;
+  double length = length_of(way, kSpace);
   if (is_arc(move.mode)) {
     const double end_radius =
         kerf::distance(point_of(move.plane, move.end), {move.arc.center[0], move.arc.center[1]});
-    counted = way_of_arc(move.arc.radius, end_radius, radians(std::abs(move.arc.sweep)));
-    straight = std::hypot(counted, kSpace.contains(move.plane.third) ? way[move.plane.third] : 0.0);
+    const double in_plane = way_of_arc(move.arc.radius, end_radius, radians(std::abs(move.arc.sweep)));
+    length = std::hypot(in_plane, way[move.plane.third]);
   }
   const double feed = limited_feed(registers, settings_);
   const double turning_minutes = turn / settings_.operation(registers.rates).rotary_velocity;
-  const double minutes = std::max(straight / feed, turning_minutes);
-  if (counted == straight && straight > 0.0 && straight / feed >= turning_minutes) return feed;
-  if (counted <= 0.0) counted = length_of(way, rules_.machine().axes);
-  return minutes > 0.0 ? counted / minutes : feed;
+  if (!(turning_minutes > length / feed)) return feed;
+  return (length > 0.0 ? length : length_of(way, rules_.machine().axes)) / turning_minutes;
 }
 
 bool BlockRun::arc(bool clockwise) {
