@@ -4,12 +4,10 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <random>
 #include <string>
 #include <vector>
 
-#include "dialect/setup.hpp"
-#include "transcript.hpp"
+#include "short_way.hpp"
 
 namespace kerf {
 namespace {
@@ -54,55 +52,34 @@ std::string change(Random& random) {
   return changes[static_cast<std::size_t>(below(random, static_cast<int>(changes.size())))];
 }
 
-struct Programs {
-  std::string plain;
-  std::string numbered;
-};
-
-Programs random_programs(unsigned seed) {
+ProgramPair random_programs(unsigned seed) {
   Random random(seed);
-  Programs programs;
-  programs.plain = programs.numbered = fmt::format("%\nG{}\nS1000F100.0\nM03\n", 20 + below(random, 2));
+  ProgramPair programs;
+  programs.plain = programs.marked = fmt::format("%\nG{}\nS1000F100.0\nM03\n", 20 + below(random, 2));
   for (int i = 0; i < 60; ++i) {
     if (below(random, 3) == 0) {
       const std::string block = change(random) + "\n";
-      programs.plain += block;
-      programs.numbered += block;
+      programs.add(block);
     } else if (const std::string block = coordinates(random); !block.empty()) {
       programs.plain += block + "\n";
-      programs.numbered += "N7" + block + "\n";
+      programs.marked += "N7" + block + "\n";
     }
   }
-  programs.plain += "M02\n%\n";
-  programs.numbered += "M02\n%\n";
+  programs.add("M02\n%\n");
   return programs;
 }
 
-void expect_same(const std::vector<std::string>& assignments) {
-  SetupOptions options;
-  options.dialect = "dgshape";
-  options.assignments = assignments;
-  const auto controller = make_controller(options);
-  ASSERT_TRUE(controller.has_value());
-  std::size_t actions = 0;
-  for (unsigned seed = 1; seed <= 150; ++seed) {
-    const Programs programs = random_programs(seed);
-    const auto expected = transcript(*controller, "test", programs.numbered);
-    ASSERT_EQ(transcript(*controller, "test", programs.plain), expected) << programs.plain;
-    actions += expected.size();
-  }
-  EXPECT_GT(actions, 150U * 20U);
-}
+const ShortWayTest kTest{"dgshape", "test", 150, 20, random_programs};
 
 TEST(ShortWay, GivesWhatTheWholeWayGives) {
-  expect_same({"axes.X.limits=[-50,50]", "offsets.G55.X=12.3456", "offsets.G59.Z=-1", "tools.1.radius=2",
-               "tools.1.length=7"});
+  expect_same(kTest, {"axes.X.limits=[-50,50]", "offsets.G55.X=12.3456", "offsets.G59.Z=-1",
+                      "tools.1.radius=2", "tools.1.length=7"});
 }
 
 TEST(ShortWay, GivesWhatTheWholeWayGivesWithOtherSettings) {
-  expect_same({"axes.Y.limits=[-40,40]", "dgshape.rapid_axes=2", "dgshape.rapid_axes_over=split",
-               "dgshape.decimal_point=all", "tools.1.radius=1"});
-  expect_same({"axes.Y.limits=[-40,40]", "dgshape.rapid_axes=2", "dgshape.over_travel=clip"});
+  expect_same(kTest, {"axes.Y.limits=[-40,40]", "dgshape.rapid_axes=2", "dgshape.rapid_axes_over=split",
+                      "dgshape.decimal_point=all", "tools.1.radius=1"});
+  expect_same(kTest, {"axes.Y.limits=[-40,40]", "dgshape.rapid_axes=2", "dgshape.over_travel=clip"});
 }
 
 }  // namespace

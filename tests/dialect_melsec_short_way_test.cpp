@@ -3,19 +3,11 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <random>
 
-#include "dialect/setup.hpp"
-#include "transcript.hpp"
+#include "short_way.hpp"
 
 namespace kerf {
 namespace {
-
-using Random = std::mt19937;
-
-unsigned below(Random& random, unsigned limit) {
-  return static_cast<unsigned>(random() % limit);
-}
 
 std::string number(Random& random) {
   const double value = static_cast<double>(static_cast<int>(below(random, 400000)) - 200000) / 10000.0;
@@ -50,55 +42,35 @@ std::string change(Random& random) {
   return chosen == "G44XH1" ? "G44X1.H1" : chosen;
 }
 
-struct Programs {
-  std::string plain;
-  std::string marked;
-};
-
-Programs random_programs(unsigned seed) {
+ProgramPair random_programs(unsigned seed) {
   Random random(seed);
-  Programs programs;
+  ProgramPair programs;
   programs.plain = "%\nG90\n";
   if (below(random, 2) == 0) programs.plain += "F100.\n";
   programs.marked = programs.plain;
   for (int i = 0; i < 60; ++i) {
     if (below(random, 3) == 0) {
       const std::string block = change(random) + "\n";
-      programs.plain += block;
-      programs.marked += block;
+      programs.add(block);
     } else if (const std::string block = coordinates(random); !block.empty()) {
       programs.plain += block + "\n";
       programs.marked += block + "L1\n";
     }
   }
-  programs.plain += "M02\n%\n";
-  programs.marked += "M02\n%\n";
+  programs.add("M02\n%\n");
   return programs;
 }
 
-void expect_same(const std::vector<std::string>& assignments) {
-  SetupOptions options;
-  options.dialect = "melsec";
-  options.assignments = assignments;
-  const auto controller = make_controller(options);
-  ASSERT_TRUE(controller.has_value());
-  std::size_t actions = 0;
-  for (unsigned seed = 1; seed <= 200; ++seed) {
-    const Programs programs = random_programs(seed);
-    const auto expected = transcript(*controller, "O001.gcd", programs.marked);
-    ASSERT_EQ(transcript(*controller, "O001.gcd", programs.plain), expected) << programs.plain;
-    actions += expected.size();
-  }
-  EXPECT_GT(actions, 200U * 20U);
-}
+const ShortWayTest kTest{"melsec", "O001.gcd", 200, 20, random_programs};
 
 TEST(MelsecShortWay, GivesWhatTheWholeWayGives) {
-  expect_same({"offsets.G55.X=12.3456", "tools.1.length=7", "tools.1.radius=3", "tools.2.radius=0.5",
-               "axes.Y.limits=[-30,30]"});
+  expect_same(kTest, {"offsets.G55.X=12.3456", "tools.1.length=7", "tools.1.radius=3", "tools.2.radius=0.5",
+                      "axes.Y.limits=[-30,30]"});
 }
 
 TEST(MelsecShortWay, GivesWhatTheWholeWayGivesWithOtherSettings) {
-  expect_same({"melsec.work.coordinate_rotation_type=1", "melsec.axis.C.rotation_axis_type=3",
+  expect_same(kTest,
+              {"melsec.work.coordinate_rotation_type=1", "melsec.axis.C.rotation_axis_type=3",
                "tools.1.length=-2.5", "tools.1.radius=0", "tools.2.radius=-1", "axes.X.limits=[-40,100]"});
 }
 

@@ -4,19 +4,11 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <random>
 
-#include "dialect/setup.hpp"
-#include "transcript.hpp"
+#include "short_way.hpp"
 
 namespace kerf {
 namespace {
-
-using Random = std::mt19937;
-
-unsigned below(Random& random, unsigned limit) {
-  return static_cast<unsigned>(random() % limit);
-}
 
 std::string number(Random& random) {
   const double value = static_cast<double>(static_cast<int>(below(random, 400000)) - 200000) / 10000.0;
@@ -56,14 +48,9 @@ std::string change(Random& random) {
   return kChanges[below(random, std::size(kChanges))];
 }
 
-struct Programs {
-  std::string plain;
-  std::string marked;
-};
-
-Programs random_programs(unsigned seed) {
+ProgramPair random_programs(unsigned seed) {
   Random random(seed);
-  Programs programs;
+  ProgramPair programs;
   programs.plain = "G90 ts0\n";
   if (below(random, 2) == 0) programs.plain += "F100\n";
   programs.marked = programs.plain;
@@ -72,8 +59,7 @@ Programs random_programs(unsigned seed) {
   for (int i = 0; i < 100; ++i) {
     if (below(random, changes) == 0) {
       const std::string block = change(random) + "\n";
-      programs.plain += block;
-      programs.marked += block;
+      programs.add(block);
     } else if (const std::string block = coordinates(random); !block.empty()) {
       const std::string front = below(random, 4) == 0 ? fmt::format("N{:04} ", i) : "";
       programs.plain += front + block + (below(random, 4) == 0 ? "\r\n" : "\n");
@@ -85,35 +71,22 @@ Programs random_programs(unsigned seed) {
   return programs;
 }
 
-void expect_same(const std::vector<std::string>& assignments) {
-  SetupOptions options;
-  options.dialect = "omron";
-  options.assignments = assignments;
-  auto controller = make_controller(options);
-  ASSERT_TRUE(controller.has_value());
-  controller->interpreter_options.programs = [](std::int32_t) {
-    std::string text = "G91\n";
-    for (int i = 0; i < 20; ++i) text += "X0.5 Y-0.25\n";
-    return ProgramText{Source::from_text("1000.nc", text + "G90\n")};
-  };
-  std::size_t actions = 0;
-  for (unsigned seed = 1; seed <= 300; ++seed) {
-    const Programs programs = random_programs(seed);
-    const auto expected = transcript(*controller, "main.nc", programs.marked);
-    ASSERT_EQ(transcript(*controller, "main.nc", programs.plain), expected) << programs.plain;
-    actions += expected.size();
-  }
-  EXPECT_GT(actions, 300U * 30U);
+ProgramText called_program(std::int32_t) {
+  std::string text = "G91\n";
+  for (int i = 0; i < 20; ++i) text += "X0.5 Y-0.25\n";
+  return {Source::from_text("1000.nc", text + "G90\n")};
 }
 
+const ShortWayTest kTest{"omron", "main.nc", 300, 30, random_programs, called_program};
+
 TEST(OmronShortWay, GivesWhatTheWholeWayGives) {
-  expect_same({"offsets.G55.X=12.3456", "tools.1.length=7", "tools.1.radius=3", "axes.Y.limits=[-60,60]",
-               "omron.extended_1.maximum_feedrate=50"});
+  expect_same(kTest, {"offsets.G55.X=12.3456", "tools.1.length=7", "tools.1.radius=3",
+                      "axes.Y.limits=[-60,60]", "omron.extended_1.maximum_feedrate=50"});
 }
 
 TEST(OmronShortWay, GivesWhatTheWholeWayGivesWithOtherSettings) {
-  expect_same({"omron.cnc_version=1.01", "omron.command_unit=inch", "omron.block_skip=3",
-               "axes.X.limits=[-400,1000]", "tools.1.length=-2.5", "omron.jerk_time=0"});
+  expect_same(kTest, {"omron.cnc_version=1.01", "omron.command_unit=inch", "omron.block_skip=3",
+                      "axes.X.limits=[-400,1000]", "tools.1.length=-2.5", "omron.jerk_time=0"});
 }
 
 // Every block counts, has its own line, and is found by its place.

@@ -3,7 +3,7 @@
 const columns = [
   {key: 'line', title: 'Line', figure: true, text: (row) => String(row.line || '')},
   {key: 'text', title: 'Block', width: 'auto', text: (row) => row.text, sort: (row) => row.text, style: 'text'},
-  {key: 'what', title: 'What', width: '124px', text: (row) => row.what, sort: (row) => row.what},
+  {key: 'what', title: 'What', width: '152px', text: (row) => row.what, sort: (row) => row.what},
   {key: 'length', title: 'mm', width: '84px', figure: true, text: (row) => row.move < 0 ? '' : row.length.toFixed(3)},
   {key: 'time', title: 's', width: '68px', figure: true, text: (row) => row.time > 0 ? duration(row.time) : ''},
   {key: 'peak', title: 'mm/min', width: '84px', figure: true, text: (row) => row.move < 0 ? '' : row.peak.toFixed(1)},
