@@ -91,7 +91,17 @@ class BlockRun {
   void go_to(const SkipStop& stop);
   // cycle_step.cpp
   bool cycle_allowed();
+  /// Of a cycle, programmed positions on Z.
+  struct CycleLevels {
+    double r = 0.0;
+    double bottom = 0.0;
+    double back = 0.0;  ///< where the tool goes in the end
+  };
   bool fixed_cycle();
+  bool hole_position(AxisVector& hole);
+  bool cycle_is_complete();
+  CycleLevels cycle_levels() const;
+  TappingPlan tapping_plan(const AxisVector& hole, const AxisVector& step, std::int32_t repetitions) const;
   bool cycle_words();
   bool cycle_level(char address, CycleLevel& level);
   double level_of(const CycleLevel& level, double from) const;

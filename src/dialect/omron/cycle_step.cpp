@@ -5,6 +5,11 @@
 #include "dialect/omron/block_run.hpp"
 
 namespace kerf::omron {
+namespace {
+
+constexpr AxisSet kMoved{Axis::X, Axis::Y, Axis::Z};
+
+}  // namespace
 
 /// In the block of G74 or G84 itself other modal codes may stand.
 bool BlockRun::cycle_allowed() {
@@ -40,11 +45,31 @@ bool BlockRun::fixed_cycle() {
   std::int32_t repetitions = 1;
   const Word* repeats = take('K');
   if (repeats != nullptr && !integer(*repeats, 0, kMostRepetitions, repetitions)) return false;
+  AxisVector hole = registers.position;
+  if (!hole_position(hole)) return false;
+  // A block without a position taps nothing.
+  const bool positioned = words_.axes().contains(Axis::X) || words_.axes().contains(Axis::Y);
+  if (!positioned || repetitions == 0) return true;
+  if (!cycle_is_complete()) return false;
+
+  AxisVector step;
+  if (incremental()) step = hole - registers.position;
+  if (!taking_over_) {
+    tapping = tapping_plan(hole, step, repetitions);
+    if (!cycle_inside_travel(*tapping)) return false;
+    moved_ = true;
+  }
+  AxisVector last = hole + step * static_cast<double>(repetitions - 1);
+  last[Axis::Z] = cycle_levels().back;
+  arrive(last, kMoved);
+  return true;
+}
+
+bool BlockRun::hole_position(AxisVector& hole) {
   for (const Axis axis : words_.axes()) {
-    if (axis != Axis::X && axis != Axis::Y && axis != Axis::Z)
+    if (!kMoved.contains(axis))
       return refuse("cycle-active", span(words_.axis(axis)), "A fixed cycle moves X, Y and Z.");
   }
-  AxisVector hole = registers.position;
   const AxisVector origin = workpiece_origin(registers, tables_);
   for (const Axis axis : {Axis::X, Axis::Y}) {
     if (!words_.axes().contains(axis)) continue;
@@ -52,36 +77,46 @@ bool BlockRun::fixed_cycle() {
     if (!axis_value(axis, value)) return false;
     hole[axis] = (incremental() ? registers.position[axis] : origin[axis]) + value;
   }
-  // A block without a position taps nothing.
-  const bool positioned = words_.axes().contains(Axis::X) || words_.axes().contains(Axis::Y);
-  if (!positioned || repetitions == 0) return true;
+  return true;
+}
+
+/// Everything that tapping needs has been written.
+bool BlockRun::cycle_is_complete() {
+  const CycleWords& words = registers.cycle;
   if (!words.r.given || !words.bottom.given) return refuse("cycle-words", block_.span);
   if (!registers.feed_given) return refuse("missing-feed", block_.span);
   if (settings_.has_spindle_axis && !(registers.spindle_rpm > 0.0) && !taking_over_)
     return refuse("cycle-spindle", block_.span);
   const PlaneRotation& rotation = registers.placement.rotation;
-  if (rotation.active && rotation.plane != kPlaneXY) return refuse("cycle-plane", block_.span);
+  return !rotation.active || rotation.plane == kPlaneXY || refuse("cycle-plane", block_.span);
+}
 
-  const double r_level = level_of(words.r, words.initial_level);
-  const double bottom = level_of(words.bottom, r_level);
-  const double back = registers.modal[Group::return_level] == code(98) ? words.initial_level : r_level;
-  constexpr AxisSet kMoved{Axis::X, Axis::Y, Axis::Z};
+BlockRun::CycleLevels BlockRun::cycle_levels() const {
+  const CycleWords& words = registers.cycle;
+  CycleLevels levels;
+  levels.r = level_of(words.r, words.initial_level);
+  levels.bottom = level_of(words.bottom, levels.r);
+  levels.back = registers.modal[Group::return_level] == code(98) ? words.initial_level : levels.r;
+  return levels;
+}
+
+TappingPlan BlockRun::tapping_plan(const AxisVector& hole, const AxisVector& step,
+                                   std::int32_t repetitions) const {
+  const CycleLevels levels = cycle_levels();
   const auto real = [&](AxisVector programmed, double z) {
     programmed[Axis::Z] = z;
     return real_position(programmed, kMoved);
   };
-  AxisVector step;
-  if (incremental()) step = hole - registers.position;
   TappingPlan plan;
   plan.start = registers.placement.machine;
-  plan.first_hole = real(hole, bottom);
-  plan.step = real(hole + step, bottom) - plan.first_hole;
-  plan.origin = origin;
+  plan.first_hole = real(hole, levels.bottom);
+  plan.step = real(hole + step, levels.bottom) - plan.first_hole;
+  plan.origin = workpiece_origin(registers, tables_);
   plan.repetitions = repetitions;
-  plan.r_level = real(hole, r_level)[Axis::Z];
+  plan.r_level = real(hole, levels.r)[Axis::Z];
   plan.bottom = plan.first_hole[Axis::Z];
-  plan.return_level = real(hole, back)[Axis::Z];
-  plan.dwell_s = words.dwell_s;
+  plan.return_level = real(hole, levels.back)[Axis::Z];
+  plan.dwell_s = registers.cycle.dwell_s;
   plan.feed = limited_feed(registers, settings_);
   plan.rates = registers.rates;
   const bool right = registers.modal[Group::fixed_cycle] == code(84);
@@ -90,15 +125,7 @@ bool BlockRun::fixed_cycle() {
   plan.orient_rpm = settings_.orientation_velocity;
   plan.orient_angle = settings_.orientation_angle;
   plan.has_spindle_axis = settings_.has_spindle_axis;
-  if (!taking_over_) {
-    if (!cycle_inside_travel(plan)) return false;
-    moved_ = true;
-    tapping = plan;
-  }
-  AxisVector last = hole + step * static_cast<double>(repetitions - 1);
-  last[Axis::Z] = back;
-  arrive(last, kMoved);
-  return true;
+  return plan;
 }
 
 /// Z, R and P stay until the cycle ends.
