@@ -13,9 +13,8 @@
 // a
 //   rotary axis alone); with MotionSettings::feed_of_all_axes along the path of all axes, degrees counted as
 //   mm (MELSEC 6.3);
-// - arcs and helices: along the circle in the plane (UNSPECIFIED row DGS-219, the rule of JIS controllers),
-// or
-//   with Move::feed_in_space along the X-Y-Z path (OMRON, G02 and G03);
+// - arcs and helices: along the circle in the plane (UNSPECIFIED row DGS-219, the rule of JIS
+//   controllers), or with Move::feed_in_space along the X-Y-Z path (OMRON, G02 and G03);
 // - with RotaryFeed (DGSHAPE 1-4, 2-5): the rotary axis turns at F / radius [rad/min], constant over the
 // block; when
 //   X, Y or Z move in the same block it takes the longer of the two times. With radius 0 or at_maximum the
