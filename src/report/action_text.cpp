@@ -17,6 +17,20 @@ std::string arguments_text(const CodeArguments& arguments) {
   return text;
 }
 
+std::string spindle_text(const Spindle& spindle) {
+  switch (spindle.direction) {
+    case SpindleDirection::off:
+      return "spindle off";
+    case SpindleDirection::orient:
+      return "spindle orient " + rounded_text(spindle.angle, 3) + " deg";
+    case SpindleDirection::clockwise:
+      return "spindle cw " + rounded_text(spindle.rpm, 3) + " rpm";
+    case SpindleDirection::counterclockwise:
+      return "spindle ccw " + rounded_text(spindle.rpm, 3) + " rpm";
+  }
+  return {};
+}
+
 struct Describer {
   std::string operator()(const Move& move) const {
     switch (move.mode) {
@@ -39,18 +53,7 @@ struct Describer {
     return fmt::format("M{}", auxiliary.code) + arguments_text(auxiliary.arguments);
   }
   std::string operator()(const Spindle& spindle) const {
-    switch (spindle.direction) {
-      case SpindleDirection::off:
-        return "spindle off" + arguments_text(spindle.arguments);
-      case SpindleDirection::orient:
-        return "spindle orient " + rounded_text(spindle.angle, 3) + " deg" +
-               arguments_text(spindle.arguments);
-      case SpindleDirection::clockwise:
-        return "spindle cw " + rounded_text(spindle.rpm, 3) + " rpm" + arguments_text(spindle.arguments);
-      case SpindleDirection::counterclockwise:
-        return "spindle ccw " + rounded_text(spindle.rpm, 3) + " rpm" + arguments_text(spindle.arguments);
-    }
-    return {};
+    return spindle_text(spindle) + arguments_text(spindle.arguments);
   }
   std::string operator()(const ToolChange& change) const {
     return change.number == 0 ? "tool put back" : fmt::format("tool {}", change.number);
