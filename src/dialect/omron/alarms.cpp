@@ -101,12 +101,13 @@ constexpr std::array kCatalogue{
         "The first move behind G40 must be straight and at least as long as the radius of the tool, and the "
         "program may not end before it.",
         "Put G40 and a straight move, longer than the tool's radius, behind the contour."},
-    AlarmKind{kCode, "compensation-word", "Not allowed in radius compensation",
-              "Between G41 or G42 and the move behind G40 there may be no G00, no other side, no change of "
-              "the plane, "
-              "no stop, and no M code that waits for the end of a movement or has arguments.",
-              "End the compensation with G40 and a move first; give the M code output timing 1 "
-              "(omron.immediate_m_codes)."},
+    AlarmKind{
+        kCode, "compensation-word", "Not allowed in radius compensation",
+        "Between G41 or G42 and the move behind G40 there may be no G00, no other side, no change of "
+        "the plane, the unit or the coordinate system, no stop, and no M code that waits for the end of "
+        "a movement or has arguments.",
+        "End the compensation with G40 and a move first; give the M code output timing 1 "
+        "(omron.immediate_m_codes)."},
     AlarmKind{kCode, "compensation-radius", "Tool too large for an arc",
               "The tool runs inside of an arc whose radius is not larger than its own.",
               "Use a smaller tool, or put a straight move in place of the arc."},
@@ -114,7 +115,7 @@ constexpr std::array kCatalogue{
               "Beside two neighbouring blocks there is no path for the tool.",
               "Use a smaller tool, or correct the end points of the blocks."},
     AlarmKind{
-        kCode, "overcut", "Overcut", "The tool would cut into a neighbouring block of the contour.",
+        kCode, "overcut", "Overcut", "The tool would cut into a block of the contour.",
         "Use a smaller tool, or set omron.overcut_operation_mode to \"prevention\", which leaves out blocks "
         "that cannot be cut where it finds a way."},
     AlarmKind{kCode, "dwell-words", "Dwell with two times",
